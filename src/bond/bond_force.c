@@ -24,8 +24,11 @@ static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_
 	struct ts_bond_answer state;
 	double energy[TS_BOND_MODES];
 
+	/* a section that has cracked is torn at the latest when it has turned so far */
+	const bool cracked = sim->bonds->softens && sim->bonds->damage[b].reached > 1;
+
 	ts_bond_state_of(sim, b, &element, &state);
-	if (!(state.cosine > TS_BOND_TURN))
+	if (!(state.cosine > TS_BOND_TURN) && !cracked)
 		return ts_fail(&sim->error, TS_PHYSICS, NULL,
 			       "at step %" PRId64
 			       " particles %d and %d, bonded, have turned by %.0f degrees relative to each "

@@ -60,6 +60,8 @@ static void fill_softening(const struct ts_bonds *b, const struct ts_bond_elemen
 
 	s->onset[lane] = e->onset;
 	s->rupture[lane] = e->rupture;
+	s->shear_rupture[lane] = e->shear_rupture;
+	s->friction[lane] = e->friction;
 	s->reached[lane] = damage.reached;
 	s->release[lane] = damage.release;
 }
@@ -279,8 +281,15 @@ void ts_bond_state_of(const struct tsim *sim, size_t b, struct ts_bond_element *
 	}
 	ts_bond_elastic(e, &s, out);
 	ts_bond_stress(e, out);
-	if (sim->bonds->softens)
+	if (sim->bonds->softens) {
+		ts_bond_rub(ts_bond_intact(e->rupture, sim->bonds->damage[b].reached), out, e);
 		ts_bond_soften_state(sim->bonds->damage[b].reached, &s, e, out);
+	}
+}
+
+double ts_bond_shear_ratio(const struct ts_bond_element *e, const struct ts_bond_answer *s)
+{
+	return e->shear > 0 ? s->shear / e->shear : INFINITY;
 }
 
 enum ts_bond_failure ts_bond_failure_of(const struct ts_bond_element *e, const struct ts_bond_answer *s)
@@ -288,8 +297,8 @@ enum ts_bond_failure ts_bond_failure_of(const struct ts_bond_element *e, const s
 	double most = s->tension / e->tension;
 	enum ts_bond_failure failure = TS_BOND_TENSION;
 
-	if (s->shear / e->shear > most) {
-		most = s->shear / e->shear;
+	if (ts_bond_shear_ratio(e, s) > most) {
+		most = ts_bond_shear_ratio(e, s);
 		failure = TS_BOND_SHEARED;
 	}
 	return s->compression / e->compression > most ? TS_BOND_CRUSHED : failure;

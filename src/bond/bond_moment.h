@@ -24,6 +24,8 @@ void ts_bond_ends_of(const struct tsim *sim, size_t b, struct ts_bond_ends *out)
 void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element *out);
 void ts_bond_state_of(const struct tsim *sim, size_t b, struct ts_bond_element *element,
 		      struct ts_bond_answer *out);
+/* Shear stress by strength; infinite if friction (law/bond_softening.h) leaves no strength under a pull. */
+double ts_bond_shear_ratio(const struct ts_bond_element *element, const struct ts_bond_answer *state);
 /* What fails first: the largest ratio of stress and strength. */
 enum ts_bond_failure ts_bond_failure_of(const struct ts_bond_element *element,
 					const struct ts_bond_answer *state);

@@ -135,7 +135,9 @@ TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct
 				     .shear = l->shear[k],
 				     .compression = l->compression[k],
 				     .onset = softens ? soft->onset[k] : 0,
-				     .rupture = softens ? soft->rupture[k] : 0 };
+				     .rupture = softens ? soft->rupture[k] : 0,
+				     .shear_rupture = softens ? soft->shear_rupture[k] : 0,
+				     .friction = softens ? soft->friction[k] : 0 };
 	struct ts_bond_ends s;
 	struct ts_bond_answer a;
 	bool holds;
@@ -144,6 +146,8 @@ TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct
 	ends_of(r, l, k, moving, &s);
 	ts_bond_elastic(&e, &s, &a);
 	ts_bond_stress(&e, &a);
+	if (softens)
+		ts_bond_rub(ts_bond_intact(e.rupture, soft->reached[k]), &a, &e);
 	holds = ts_bond_holds(&e, &a);
 	if (softens)
 		soften(r, soft, k, holds, &e, &s, &a);

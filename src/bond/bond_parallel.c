@@ -13,13 +13,37 @@ struct parallel_bond {
 	struct ts_bond bond;
 };
 
+enum softened_by { BY_TENSION, BY_BOTH };
+static const char *const softened_by_names[] = { [BY_TENSION] = "tension", [BY_BOTH] = "both", NULL };
+
 struct coeff {
 	double kn, ks, modulus, ratio; /* NaN: not given */
 	double lambda, beta;
-	double soften; /* NaN: brittle */
+	double soften;	 /* NaN: brittle */
+	int softened_by; /* enum softened_by */
+	double friction; /* degrees */
 	struct ts_bond_damping damping;
 	struct ts_bond_strength strength;
 };
+
+/* What softening and friction need. */
+static enum ts_status complete_softening(struct tsim *sim, const struct coeff *c,
+					 const struct ts_place *where)
+{
+	if (!isnan(c->soften) && isnan(c->strength.tension))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "bond_coeff: soften: expected sigma_c, the stress at which softening begins");
+	if (c->softened_by == BY_BOTH && (isnan(c->soften) || isnan(c->strength.shear)))
+		return ts_fail(&sim->error, TS_SYNTAX, where, "bond_coeff: soften_by both: expected %s",
+			       isnan(c->soften) ? "soften, the slope of the softening"
+						: "tau_c, the shear stress at which softening begins");
+	if (c->friction > 0 && isnan(c->strength.shear))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "bond_coeff: friction_angle: expected tau_c, the shear strength without "
+			       "normal "
+			       "stress, which is infinite");
+	return TS_OK;
+}
 
 static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
 {
@@ -34,9 +58,7 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 			       "bond_coeff: expected either ratio, that of normal to shear stiffness kn/ks%s",
 			       isnan(c->modulus) ? ", or ks, the shear stiffness per area"
 						 : " (with E, not ks)");
-	if (!isnan(c->soften) && isnan(c->strength.tension))
-		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "bond_coeff: soften: expected sigma_c, the stress at which softening begins");
+	TS_TRY(complete_softening(sim, c, where));
 	ts_bond_damping_complete(&c->damping);
 	return ts_bond_strength_complete(sim, &c->strength, where);
 }
@@ -52,13 +74,16 @@ static void element(const void *coeff, const struct ts_bond_pair *pair, struct t
 	ts_bond_section_stress(radius, c->beta, e);
 	ts_bond_section_damping(c->damping.ratio, pair->mass, pair->inertia, e);
 	ts_bond_section_strength(&c->strength, pair->tag, e);
+	e->friction = tan(c->friction * TS_PI / 180);
 	if (!isnan(c->soften))
-		ts_bond_softens_by(c->soften, e);
+		ts_bond_softens_by(c->soften, c->softened_by == BY_BOTH, e);
 }
 
 static bool softens(const void *coeff)
 {
-	return !isnan(((const struct coeff *)coeff)->soften);
+	const struct coeff *c = coeff;
+
+	return !isnan(c->soften) || c->friction > 0;
 }
 
 static bool damped(const void *coeff)
@@ -81,6 +106,14 @@ static const struct ts_arg coeff_rows[] = {
 	TS_REAL("soften", struct coeff, soften, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "",
 		.help = "slope at which the tensile stress falls with the opening beyond sigma_c, by that of "
 			"the elastic bond; none: it breaks at sigma_c"),
+	TS_ENUM("soften_by", struct coeff, softened_by, softened_by_names, .fallback = "tension",
+		.help = "what makes a bond soften: tension only, beyond sigma_c; or both, also shear beyond "
+			"tau_c"),
+	TS_REAL("friction_angle", struct coeff, friction, .fallback = "0", .range = TS_WITHIN, .lo = 0,
+		.hi = 89, .unit = "degrees",
+		.help = "angle phi of internal friction: the shear strength is tau_c - sigma_n tan(phi) with "
+			"the "
+			"mean normal stress sigma_n = N/A, > 0 in tension"),
 	TS_REAL("beta", struct coeff, beta, .fallback = "1", .range = TS_FRACTION, .unit = "",
 		.help = "share of the moments in the stresses, Potyondy 2011"),
 	TS_BOND_DAMPING_ROWS(struct coeff, damping),
@@ -107,7 +140,19 @@ static const char *const more[] = {
 	"and compression are those of the intact part: compared are the stresses that the whole section "
 	"would have, as `sigma` and `tau` of compute bond/local are, whose sigma_c is rho times that of "
 	"bond_coeff. Dashpots are multiplied by g. What is lost is f_ID of fix energy/ledger, dissipated in "
-	"plastic contacts and bonds. The limit of the time step is that of the whole bond.",
+	"plastic contacts and bonds. The limit of the time step is that of the whole bond. A bond that has "
+	"cracked breaks at the latest when its ends have turned by 90 degrees.\n\n"
+	"With `soften_by both` shear cracks the bond as well: X is then the larger of the opening and of the "
+	"shear stress of the whole section by the shear strength, and the bond breaks by either at X = rho. "
+	"With tension only, a bond breaks at once when tau reaches its shear strength.",
+	"`friction_angle PHI`: the shear strength depends on the mean normal stress sigma_n = N/A, > 0 in "
+	"tension, as that of Mohr and Coulomb and of the linear parallel bond of Itasca's PFC,\n\n"
+	"  tau >= tau_c - sigma_n tan(PHI)\n\n"
+	"so a compressed bond is stronger, and a bond without shear breaks at the tension tau_c/tan(PHI), if "
+	"that is below sigma_c. Moments have no part in sigma_n. tau_c, the cohesion, is scattered, PHI is "
+	"not. In a bond that softens sigma_n is what the cracked bond carries. The friction of particles "
+	"whose bond has broken is that of their contact, by pair_style. Column tau_c of compute bond/local "
+	"is the strength at the present normal stress.",
 	TS_BOND_MOMENT_DOC, NULL
 };
 

@@ -38,9 +38,10 @@ struct ts_bond_dashpots {
 	double c[4][TS_BOND_ROW_LANES];
 };
 
-/* Softening of a row (law/bond_softening.h): constants, and what the bonds remember. */
+/* Softening and friction of a row (law/bond_softening.h): constants, and what the bonds remember. */
 struct ts_bond_softening {
-	double onset[TS_BOND_ROW_LANES], rupture[TS_BOND_ROW_LANES];
+	double onset[TS_BOND_ROW_LANES], rupture[TS_BOND_ROW_LANES], shear_rupture[TS_BOND_ROW_LANES];
+	double friction[TS_BOND_ROW_LANES];
 	double reached[TS_BOND_ROW_LANES], release[TS_BOND_ROW_LANES];
 };
 

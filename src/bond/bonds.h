@@ -63,7 +63,7 @@ struct ts_bonds {
 	struct ts_bond_reference *reference;
 	struct ts_bond_load *load;
 	bool transmits;
-	/* [n] if `softens`: a bond type softens (law/bond_softening.h); lost: work in this step */
+	/* [n] if `softens`: a bond type softens or has friction (law/bond_softening.h); lost: work in this step */
 	struct ts_bond_damage *damage;
 	double *lost;
 	bool softens;
@@ -122,7 +122,7 @@ struct ts_bond_style {
 	/* Bonds that transmit moments: the constants of law/bond_element.h; `compute` is then
 	 * ts_bond_compute_moments, and the functions below are NULL. NULL: central springs. */
 	void (*element)(const void *coeff, const struct ts_bond_pair *pair, struct ts_bond_element *out);
-	bool (*softens)(const void *coeff); /* NULL: no bond does */
+	bool (*softens)(const void *coeff); /* or has friction; NULL: no bond does */
 	/* What a bond yields at; returns false if bonds of this type do not yield. NULL: none does. */
 	bool (*section)(const void *coeff, const struct ts_bond_pair *pair, struct ts_plastic_section *out);
 	/* Their law, if it is not that of law/bond_element.h with dashpots and largest stresses; `compute` may

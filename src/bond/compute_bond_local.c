@@ -45,7 +45,8 @@ OF_STATE(column_sigma, s.tension)
 OF_STATE(column_tau, s.shear)
 OF_STATE(column_sigma_strength, e.tension)
 OF_STATE(column_tau_strength, e.shear)
-OF_STATE(column_ratio, fmax(fmax(s.tension / e.tension, s.shear / e.shear), s.compression / e.compression))
+OF_STATE(column_ratio,
+	 fmax(fmax(s.tension / e.tension, ts_bond_shear_ratio(&e, &s)), s.compression / e.compression))
 OF_STATE(column_mode,
 	 isinf(e.tension) && isinf(e.shear) && isinf(e.compression) ? 0 : (double)ts_bond_failure_of(&e, &s))
 

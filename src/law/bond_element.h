@@ -45,8 +45,10 @@ struct ts_bond_element {
 	double per_area, per_moment, per_torque;
 	double lever;			    /* from the section to where the largest moment acts, length */
 	double tension, shear, compression; /* strengths, stress; INFINITY: never breaks */
-	/* law/bond_softening.h: the stress where softening begins, INFINITY: never; and rho */
-	double onset, rupture;
+	/* law/bond_softening.h: the stress where softening begins, INFINITY: never; rho; and the part of rho by which
+	 * shear makes the crack grow, 0: it does not */
+	double onset, rupture, shear_rupture;
+	double friction; /* by which the pressure increases the shear strength */
 };
 
 /* State of the two bodies. */

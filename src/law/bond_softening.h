@@ -1,5 +1,7 @@
-/* Displacement softening of the element of law/bond_element.h: beyond the strength the section cracks, and its stress falls
- * linearly with the opening until nothing is left.
+/* What bonds have beyond the element of law/bond_element.h: displacement softening, and a shear strength that grows with the
+ * pressure.
+ *
+ * Softening: beyond the strength the section cracks, and its stress falls linearly with the opening until nothing is left.
  *
  * Let x be the opening of the outermost fibre by that at the strength, which is the stress of the whole section by its
  * strength, and X the largest x so far. The fraction of the section that is intact is
@@ -14,6 +16,11 @@
  *
  * and dissipates -Y dg >= 0. Until a bond that is pulled is cracked through this is rho times its elastic energy at the
  * strength, the area below the curve.
+ *
+ * If shear softens, too, x is the larger of this opening and the shear stress of the whole section by its strength.
+ *
+ * Friction: the shear strength is that of Mohr and Coulomb, tau_c - sigma tan(phi) with the mean normal stress sigma (> 0 in
+ * tension), as in the linear parallel bond of Itasca's PFC; of a cracked section that is pulled, g times that of the whole.
  *
  * Y. Ma, H. Huang, Int. J. Rock Mech. Min. Sci. 104 (2018) 9; with the opening by bending as in the soft bond of Itasca's
  * PFC. The functions have no branches, for vectorised loops. */
@@ -32,19 +39,42 @@ static inline void ts_bond_never_softens(struct ts_bond_element *e)
 {
 	e->onset = INFINITY;
 	e->rupture = 2; /* more than 1, any */
+	e->shear_rupture = e->friction = 0;
 }
 
-/* e->tension: the strength; the stress of the whole section at which the bond breaks from here on. */
-static inline void ts_bond_softens_by(double beta, struct ts_bond_element *e)
+/* e->tension: the strength; the stress of the whole section at which the bond breaks from here on. With `sheared` the
+ * same holds for the shear strength. */
+static inline void ts_bond_softens_by(double beta, bool sheared, struct ts_bond_element *e)
 {
 	e->onset = e->tension;
 	e->rupture = 1 + 1 / beta;
 	e->tension *= e->rupture;
+	if (!sheared)
+		return;
+	e->shear_rupture = e->rupture;
+	e->shear *= e->rupture;
+	e->friction *= e->rupture;
 }
 
 TS_INLINE double ts_bond_intact(double rupture, double reached)
 {
 	return reached > 1 ? (rupture - reached) / ((rupture - 1) * reached) : 1;
+}
+
+/* The shear strength at the present normal stress. */
+TS_INLINE void ts_bond_rub(double intact, const struct ts_bond_answer *whole, struct ts_bond_element *e)
+{
+	const double normal = whole->load[TS_BOND_NORMAL] * e->per_area;
+
+	e->shear -= e->friction * (normal > 0 ? intact : 1) * normal;
+}
+
+/* x; where the shear strength is not positive the bond breaks (ts_bond_holds), whatever this is. */
+TS_INLINE double ts_bond_opening(const struct ts_bond_element *e, const struct ts_bond_answer *whole)
+{
+	const double opened = whole->tension / e->onset, sheared = e->shear_rupture * whole->shear / e->shear;
+
+	return sheared > opened ? sheared : opened;
 }
 
 /* Y */
@@ -64,7 +94,7 @@ TS_INLINE double ts_bond_whole_energy(const struct ts_bond_element *e, const dou
 TS_INLINE struct ts_bond_damage ts_bond_crack(const struct ts_bond_element *e, struct ts_bond_damage before,
 					      const struct ts_bond_answer *whole, double *lost)
 {
-	const double x = whole->tension / e->onset, from = fmax(before.reached, 1);
+	const double x = ts_bond_opening(e, whole), from = fmax(before.reached, 1);
 	const bool grows = x > from;
 	const double release = ts_bond_whole_energy(e, whole->load) / (x * x);
 	const double mean = before.release > 0 ? 0.5 * (before.release + release) : release;

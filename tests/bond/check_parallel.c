@@ -28,6 +28,14 @@ static const char soft[] =
 	"bond_coeff 2 kn 8e4 ratio 3 lambda 0.8 sigma_c 40 soften 0.02\n"
 	"bond_coeff 3 E 4e3 ratio 2.5 lambda 1.2 sigma_c 2e3\n";
 
+/* Shear that grows with the pressure, of brittle bonds and of some that soften by shear. */
+static const char rubbing[] =
+	"bond_coeff 1 kn 5e4 ks 2e4 sigma_c 40 tau_c 30 friction_angle 40 scatter normal deviation 0.3 seed "
+	"5\n"
+	"bond_coeff 2 kn 8e4 ratio 3 lambda 0.8 sigma_c 40 tau_c 15 soften 0.02 soften_by both\n"
+	"bond_coeff 3 E 4e3 ratio 2.5 lambda 1.2 sigma_c 50 tau_c 20 soften 0.02 soften_by both "
+	"friction_angle 30\n";
+
 /* A random network, periodic in y, that vibrates. */
 static struct tsim *network(int threads, int sorts, const char *coefficients)
 {
@@ -77,7 +85,7 @@ static void plain_sums(const struct tsim *sim, size_t i, double force[3], double
 
 START_TEST(plain_loop)
 {
-	struct tsim *sim = network(1 + _i % 2, 1000, _i < 2 ? strong : soft);
+	struct tsim *sim = network(1 + _i % 2, 1000, _i < 2 ? strong : _i < 4 ? soft : rubbing);
 	const struct ts_particles *p = sim->particles;
 	double force[3], torque[3], most = 0;
 
@@ -99,7 +107,7 @@ END_TEST
 /* Threads, sorting, and outputs that read loads change nothing; bonds break. */
 START_TEST(same_bits)
 {
-	const char *coefficients = _i ? soft : weak;
+	const char *coefficients = _i == 2 ? rubbing : _i ? soft : weak;
 	struct tsim *one = network(1, 0, coefficients), *other = network(2, 13, coefficients);
 	struct ts_identities map;
 	double(*q[2])[4];
@@ -433,8 +441,8 @@ int main(void)
 	TCase *tests = tcase_create("parallel bonds");
 
 	tcase_set_timeout(tests, 60);
-	tcase_add_loop_test(tests, plain_loop, 0, 4);
-	tcase_add_loop_test(tests, same_bits, 0, 2);
+	tcase_add_loop_test(tests, plain_loop, 0, 6);
+	tcase_add_loop_test(tests, same_bits, 0, 3);
 	tcase_add_loop_test(tests, momentum, 0, 2);
 	tcase_add_test(tests, rigid_motion);
 	tcase_add_test(tests, prescribed_rotation);

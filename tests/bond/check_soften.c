@@ -1,5 +1,5 @@
 /* Bonds that soften (law/bond_softening.h): the curve and the work of a bond that is pulled, unloaded and compressed, by
- * hand; bending; forces as derivatives of the energy; objectivity. */
+ * hand; bending; shear; a shear strength that grows with the pressure; forces as derivatives of the energy; objectivity. */
 #include "deck.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 static const double RADIUS = 0.01, LENGTH = 0.03, KN = 2.385e11, KS = 0.9e11, STRENGTH = 1.1e6;
 
 struct bond {
-	struct ts_bond_element e;
+	struct ts_bond_element e, now; /* now: with the shear strength of the present pressure */
 	struct ts_bond_ends s;
 	struct ts_bond_damage damage;
 	struct ts_bond_answer a;
@@ -20,13 +20,15 @@ struct bond {
 
 static struct bond straight(double beta)
 {
-	struct bond b = {
-		.e = { .length = LENGTH, .fraction = 0.5, .tension = STRENGTH, .shear = INFINITY }
-	};
+	struct bond b = { .e = { .length = LENGTH,
+				 .fraction = 0.5,
+				 .tension = STRENGTH,
+				 .shear = INFINITY,
+				 .compression = INFINITY } };
 
 	ts_bond_section_parallel(RADIUS, KN, KS, &b.e);
 	ts_bond_section_stress(RADIUS, 1, &b.e);
-	ts_bond_softens_by(beta, &b.e);
+	ts_bond_softens_by(beta, false, &b.e);
 	b.s.d = (struct ts_xyz){ LENGTH, 0, 0 };
 	for (int k = 0; k < 2; k++)
 		b.s.q[k] = (struct ts_wxyz){ 1, 0, 0, 0 };
@@ -37,9 +39,11 @@ static void move(struct bond *b)
 {
 	double lost;
 
-	ts_bond_elastic(&b->e, &b->s, &b->a);
-	ts_bond_stress(&b->e, &b->a);
-	b->damage = ts_bond_crack(&b->e, b->damage, &b->a, &lost);
+	b->now = b->e;
+	ts_bond_elastic(&b->now, &b->s, &b->a);
+	ts_bond_stress(&b->now, &b->a);
+	ts_bond_rub(ts_bond_intact(b->e.rupture, b->damage.reached), &b->a, &b->now);
+	b->damage = ts_bond_crack(&b->now, b->damage, &b->a, &lost);
 	b->lost += lost;
 	ts_bond_soften(ts_bond_intact(b->e.rupture, b->damage.reached), &b->s, &b->a);
 }
@@ -94,6 +98,84 @@ START_TEST(bent)
 	}
 	DECK_NEAR(b.a.load[TS_BOND_BENDING] / moment, 1 - beta, 1e-6);
 	DECK_NEAR(b.lost / (0.5 * moment * angle), 2 - (1 - beta), 1e-6);
+}
+END_TEST
+
+/* Stress n along the bond, by the strength, and displacement x across it, by that of the shear strength: the shear force by
+ * the shear strength without pressure. The direction does not turn with the displacement, so that all of it is shear. */
+static double shear(struct bond *b, double n, double x)
+{
+	const double across = x * STRENGTH / KS, turn = asin(across / LENGTH);
+
+	b->s.d = (struct ts_xyz){ LENGTH + n * STRENGTH / KN, 0, 0 };
+	for (int k = 0; k < 2; k++)
+		b->s.q[k] = ts_wxyz_of_vector((struct ts_xyz){ 0, 0, turn });
+	move(b);
+	return b->a.load[TS_BOND_SHEAR] / (TS_PI * RADIUS * RADIUS * STRENGTH);
+}
+
+static struct bond sheared(double friction)
+{
+	struct bond b = straight(INFINITY);
+
+	b.e.tension = b.e.shear = STRENGTH;
+	b.e.friction = friction;
+	ts_bond_softens_by(0.25, true, &b.e);
+	return b;
+}
+
+/* Softening by shear, under pressure: strength 1 + 0.6 * 0.5. */
+START_TEST(shear_curve)
+{
+	const double friction = _i ? 0.6 : 0, most = 1 + 0.5 * friction;
+	const double all = 0.5 * most * most * STRENGTH * STRENGTH / KS * TS_PI * RADIUS * RADIUS;
+	struct bond b = sheared(friction);
+
+	for (int n = 1; n <= 50; n++)
+		DECK_NEAR(shear(&b, -0.5, 0.02 * n * most), 0.02 * n * most, 1e-6);
+	ck_assert_double_lt(b.lost, 1e-6 * all);
+	for (int n = 1; n < 40; n++)
+		DECK_NEAR(shear(&b, -0.5, (1 + 0.1 * n) * most), (1 - 0.025 * n) * most, 1e-6);
+	DECK_NEAR(b.a.load[TS_BOND_NORMAL], -0.5 * STRENGTH * TS_PI * RADIUS * RADIUS, 1e-6 * STRENGTH);
+	DECK_NEAR(shear(&b, -0.5, 2 * most), 2 * (5 - 4.9) / (4 * 4.9) * most, 1e-6);
+	DECK_NEAR(shear(&b, -0.5, 4.9999 * most), 0.25e-4 * most, 1e-6);
+	ck_assert(ts_bond_holds(&b.now, &b.a));
+	DECK_NEAR(b.lost / all, 5 - 4.9999 * 0.25e-4, 1e-6);
+	(void)shear(&b, -0.5, 5.0001 * most);
+	ck_assert(!ts_bond_holds(&b.now, &b.a));
+}
+END_TEST
+
+/* Brittle bonds: Mohr and Coulomb, also in tension, up to where no shear strength is left. */
+START_TEST(friction)
+{
+	for (int n = -30; n <= 9; n++) {
+		struct bond b = straight(INFINITY);
+		double most = 1 - 0.6 * 0.1 * n;
+
+		b.e.tension = b.e.shear = STRENGTH;
+		b.e.friction = 0.6;
+		ts_bond_never_softens(&b.now);
+		DECK_NEAR(shear(&b, 0.1 * n, most * (1 - 1e-6)) / most, 1, 2e-6);
+		ck_assert(ts_bond_holds(&b.now, &b.a));
+		(void)shear(&b, 0.1 * n, most * (1 + 1e-6));
+		ck_assert(!ts_bond_holds(&b.now, &b.a));
+	}
+}
+END_TEST
+
+/* What a cracked section carries counts where it is pulled: it does not break by shear as long as g sigma tan(phi) is below
+ * the strength. */
+START_TEST(pulled_with_friction)
+{
+	struct bond b = sheared(0.9);
+
+	for (int n = 1; n < 50; n++) {
+		DECK_NEAR(shear(&b, 0.1 * n, 0), 0, 1e-12);
+		ck_assert(ts_bond_holds(&b.now, &b.a));
+		DECK_NEAR(b.a.load[TS_BOND_NORMAL] / (TS_PI * RADIUS * RADIUS * STRENGTH),
+			  n < 10 ? 0.1 * n : 1 - 0.25 * (0.1 * n - 1), 1e-6);
+	}
 }
 END_TEST
 
@@ -158,6 +240,9 @@ int main(void)
 
 	tcase_add_test(tests, curve);
 	tcase_add_test(tests, bent);
+	tcase_add_loop_test(tests, shear_curve, 0, 2);
+	tcase_add_test(tests, friction);
+	tcase_add_test(tests, pulled_with_friction);
 	tcase_add_loop_test(tests, any_state, 0, 20);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);

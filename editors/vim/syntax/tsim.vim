@@ -32,7 +32,8 @@ syn keyword tsimKeyword  stressBreak createBondAlways tensionStress compressionS
 syn keyword tsimKeyword  shearStress normalTorqueStress shearTorqueStress dampingBond
 syn keyword tsimKeyword  ratioTensionCompression temperatureBreak dampingBondSmooth
 syn keyword tsimKeyword  dissipationBond druckerPrager stiffness ultimate kn ks ratio
-syn keyword tsimKeyword  soften beta map array hash id first sort tilt small large
+syn keyword tsimKeyword  soften soften_by tension both friction_angle beta map array hash
+syn keyword tsimKeyword  id first sort tilt small large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
 syn match tsimKeyword /\<box\>/ 
@@ -55,7 +56,7 @@ syn keyword tsimKeyword  zlib lz4 flush pbc binary fileper nfile acolor adiam am
 syn keyword tsimKeyword  backcolor backcolor2 bcolor bdiam bitrate bmap boxcolor cmap color
 syn keyword tsimKeyword  framerate gmap lights smap screen
 syn match tsimKeyword /\<log\>/ 
-syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet pressure
+syn keyword tsimKeyword  xlo xhi ylo yhi zlo zhi wall slip inlet outlet pressure
 syn keyword tsimKeyword  hydrostatic update step once uniform geometric fine lo hi tanh
 syn keyword tsimKeyword  around before inside faces type union subtract intersect empty
 syn keyword tsimKeyword  initialize
