@@ -8,8 +8,28 @@
 
 #include "base/banned.h"
 
-static void find_cells(struct ts_cell_order *order, const struct tsim *sim, const struct ts_fluid *fluid,
-		       int group)
+/* Whether particles have moved or changed since they were sorted; they are noted as they are now. */
+static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid)
+{
+	const struct ts_particles *p = sim->particles;
+	bool changed = sort->nlast != p->n || sort->grid != fluid->grid.memory;
+
+	sort->nlast = p->n;
+	sort->grid = fluid->grid.memory;
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static) reduction(|| : changed)
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_cell_sorted *last = &sort->last[i];
+
+		if (last->tag == p->tag[i] && memcmp(last->x, p->x[i], sizeof last->x) == 0)
+			continue;
+		last->tag = p->tag[i];
+		memcpy(last->x, p->x[i], sizeof last->x);
+		changed = true;
+	}
+	return changed;
+}
+
+static void find_cells(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid)
 {
 	const struct ts_particles *p = sim->particles;
 	const int *n = fluid->grid.n;
@@ -19,9 +39,9 @@ static void find_cells(struct ts_cell_order *order, const struct tsim *sim, cons
 		double place[3];
 		int cell[3];
 
-		order->cell[i] = -1;
-		if (ts_in_group(p, i, group) && ts_coupling_locate(fluid, p->x[i], place, cell))
-			order->cell[i] = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
+		sort->cell[i] = -1;
+		if (ts_coupling_locate(fluid, p->x[i], place, cell))
+			sort->cell[i] = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
 	}
 }
 
@@ -39,22 +59,54 @@ static void sort_cell(int32_t *row, size_t from, size_t to, const int32_t *tag)
 
 /* Counting sort by cell, then by identity in each cell. start[c + 1] is used as the next free index of
  * cell c. */
-static void sort_particles(struct ts_cell_order *order, const struct ts_particles *p, size_t ncells)
+static void sort_particles(struct ts_cell_sort *sort, const struct ts_particles *p, size_t ncells)
 {
-	size_t *start = order->start;
+	size_t *start = sort->start;
 
 	memset(start, 0, (ncells + 2) * sizeof *start);
 	for (size_t i = 0; i < p->n; i++)
-		if (order->cell[i] >= 0)
-			start[order->cell[i] + 2]++;
+		if (sort->cell[i] >= 0)
+			start[sort->cell[i] + 2]++;
 	for (size_t c = 2; c < ncells + 2; c++)
 		start[c] += start[c - 1];
-	order->n = start[ncells + 1];
+	sort->n = start[ncells + 1];
 	for (size_t i = 0; i < p->n; i++)
-		if (order->cell[i] >= 0)
-			order->row[start[order->cell[i] + 1]++] = (int32_t)i;
+		if (sort->cell[i] >= 0)
+			sort->row[start[sort->cell[i] + 1]++] = (int32_t)i;
 	for (size_t c = 0; c < ncells; c++)
-		sort_cell(order->row, start[c], start[c + 1], p->tag);
+		sort_cell(sort->row, start[c], start[c + 1], p->tag);
+}
+
+static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, const struct ts_fluid *fluid)
+{
+	size_t n = sim->particles->n, ncells = ts_grid_cells(&fluid->grid);
+
+	if (TS_GROW(sort->row, sort->row_capacity, n) != TS_OK ||
+	    TS_GROW(sort->cell, sort->cell_capacity, n) != TS_OK ||
+	    TS_GROW(sort->last, sort->last_capacity, n) != TS_OK ||
+	    TS_GROW(sort->start, sort->start_capacity, ncells + 2) != TS_OK) {
+		sort->nlast = SIZE_MAX;
+		return ts_nomem(&sim->error);
+	}
+	if (!note_changes(sort, sim, fluid))
+		return TS_OK;
+	find_cells(sort, sim, fluid);
+	sort_particles(sort, sim->particles, ncells);
+	return TS_OK;
+}
+
+/* The sorted particles of the first fix that has some, or own ones. */
+static struct ts_cell_sort *find_sort(struct ts_cell_order *own, const struct tsim *sim)
+{
+	const struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->order)
+			return &flow_part->order->own;
+	}
+	return &own->own;
 }
 
 static void cut_slabs(struct ts_cell_order *order, const struct ts_grid *grid, int reach)
@@ -67,31 +119,31 @@ static void cut_slabs(struct ts_cell_order *order, const struct ts_grid *grid, i
 	order->nslabs = grid->n[axis] / thick > 1 ? grid->n[axis] / thick : 1;
 	order->ring = grid->periodic[axis];
 	for (int k = 0; k < order->nslabs; k++)
-		order->slab[k] = order->start[(size_t)k * (size_t)thick * plane];
-	order->slab[order->nslabs] = order->n;
+		order->slab[k] = order->sort->start[(size_t)k * (size_t)thick * plane];
+	order->slab[order->nslabs] = order->sort->n;
 }
 
 enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, const struct ts_fluid *fluid,
 				  int group, int reach)
 {
-	size_t n = sim->particles->n, ncells = ts_grid_cells(&fluid->grid);
+	struct ts_cell_sort *sort = find_sort(order, sim);
 
-	if (TS_GROW(order->row, order->row_capacity, n) != TS_OK ||
-	    TS_GROW(order->cell, order->cell_capacity, n) != TS_OK ||
-	    TS_GROW(order->start, order->start_capacity, ncells + 2) != TS_OK ||
-	    TS_GROW(order->slab, order->slab_capacity, ncells + 1) != TS_OK)
+	if (TS_GROW(order->slab, order->slab_capacity, ts_grid_cells(&fluid->grid) + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	find_cells(order, sim, fluid, group);
-	sort_particles(order, sim->particles, ncells);
+	TS_TRY(sort_again(sort, sim, fluid));
+	order->sort = sort;
+	order->particles = sim->particles;
+	order->group = group;
 	cut_slabs(order, &fluid->grid, reach);
 	return TS_OK;
 }
 
 void ts_cell_order_release(struct ts_cell_order *order)
 {
-	ts_free(order->row);
-	ts_free(order->cell);
-	ts_free(order->start);
+	ts_free(order->own.row);
+	ts_free(order->own.cell);
+	ts_free(order->own.start);
+	ts_free(order->own.last);
 	ts_free(order->slab);
 	*order = (struct ts_cell_order){ 0 };
 }
@@ -106,7 +158,11 @@ void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_
 
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
 		for (int s = from; s < to; s += 2)
-			for (size_t k = order->slab[s]; k < order->slab[s + 1]; k++)
-				add(context, (size_t)order->row[k]);
+			for (size_t k = order->slab[s]; k < order->slab[s + 1]; k++) {
+				size_t row = (size_t)order->sort->row[k];
+
+				if (ts_in_group(order->particles, row, order->group))
+					add(context, row);
+			}
 	}
 }

@@ -9,24 +9,42 @@
 
 #include "flow/fluid.h"
 
-/* Zero-initialise; ts_cell_order_release when done. */
-struct ts_cell_order {
+/* All particles of the simulation in the fluid, sorted. */
+struct ts_cell_sort {
 	/* indices of particles, sorted; cell of each particle, or -1. Owned, as the arrays below */
 	int32_t *row, *cell;
 	size_t *start; /* of each cell: its first index in `row` */
-	size_t *slab;  /* of each slab: its first index in `row` */
 	size_t n;      /* number of particles in the fluid */
-	int nslabs;
-	bool ring; /* periodic axis: the last slab is beside the first */
-	size_t row_capacity, cell_capacity, start_capacity, slab_capacity;
+	/* The state that was sorted: if nothing has changed, it is not sorted again. */
+	struct ts_cell_sorted {
+		double x[3];
+		int32_t tag;
+	} * last; /* [nlast] */
+	size_t nlast;
+	const double *grid; /* memory of the grid */
+	size_t row_capacity, cell_capacity, start_capacity, last_capacity;
 };
 
-/* Sorts the particles of the group; `reach`: number of cells beyond its own to which a particle adds. */
+/* Zero-initialise; ts_cell_order_release when done. A fix that sets `order` of struct ts_flow_part in its init shares
+ * its sorted particles with the fixes after it in the script. */
+struct ts_cell_order {
+	struct ts_cell_sort own;
+	const struct ts_cell_sort *sort; /* `own`, or that of another fix */
+	const struct ts_particles *particles;
+	int group;    /* particles for which `add` is called */
+	size_t *slab; /* of each slab: its first index in `row`. Owned */
+	int nslabs;
+	bool ring; /* periodic axis: the last slab is beside the first */
+	size_t slab_capacity;
+};
+
+/* Sorts the particles, and selects those of the group; `reach`: number of cells beyond its own to which a particle
+ * adds. */
 enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, const struct ts_fluid *fluid,
 				  int group, int reach);
 void ts_cell_order_release(struct ts_cell_order *order);
 
-/* Calls `add` for each particle, in parallel for particles that add to different cells. */
+/* Calls `add` for each particle of the group, in parallel for particles that add to different cells. */
 typedef void ts_cell_order_fn(void *context, size_t row);
 void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add, void *context);
 

@@ -74,6 +74,7 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s needs a fluid: use flow_style before it", self->style->name);
 	s->fluid = NULL;
+	s->part.order = NULL;
 	if (ts_flow_style_of(s->flow)->fluid)
 		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
 	s->part.after_step = s->fluid && s->two_way && !s->lagged ? ts_drag_correct : NULL;
@@ -81,6 +82,8 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_fluid_require_fields(s->fluid, sim,
 					       s->lagged ? TS_FLUID_FORCE
 							 : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
+	if (s->fluid && s->two_way)
+		s->part.order = &s->order;
 	s->added = ts_added_mass_find(sim);
 	TS_TRY(find_relaxing_drags(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));

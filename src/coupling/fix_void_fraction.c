@@ -167,18 +167,22 @@ static enum ts_status compare_particles(struct ts_instance *self, struct tsim *s
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
+	bool changed = s->nlast != p->n;
 
 	if (TS_GROW(s->last_particles, s->last_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	*moved = s->nlast != p->n;
 	s->nlast = p->n;
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static) reduction(|| : changed)
 	for (size_t i = 0; i < p->n; i++) {
 		const double now[4] = { p->x[i][0], p->x[i][1], p->x[i][2],
 					ts_in_group(p, i, self->group) ? p->radius[i] : -1 };
 
-		*moved = *moved || memcmp(now, s->last_particles[i], sizeof now) != 0;
+		if (memcmp(now, s->last_particles[i], sizeof now) == 0)
+			continue;
 		memcpy(s->last_particles[i], now, sizeof now);
+		changed = true;
 	}
+	*moved = changed;
 	return TS_OK;
 }
 
@@ -212,6 +216,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
 	s->part.volume_distribution = volume_distribution;
+	s->part.order = &s->order;
 	s->sim = sim;
 	s->nlast = 0;
 	return make_field(self, sim);

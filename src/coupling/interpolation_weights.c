@@ -1,29 +1,11 @@
 #include "coupling/interpolation_weights.h"
 
-#include <math.h>
+#include "base/clones.h"
+#include "base/inline.h"
 
 #include "base/banned.h"
 
 const char *const ts_coupling_interpolation_names[] = { "linear", "cell", NULL };
-
-bool ts_coupling_locate(const struct ts_fluid *fluid, const double x[3], double place[3], int cell[3])
-{
-	const struct ts_grid *grid = &fluid->grid;
-
-	for (int d = 0; d < 3; d++) {
-		double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
-
-		place[d] = x[d];
-		if (grid->periodic[d] && !(x[d] >= lo && x[d] <= hi))
-			place[d] -= floor((x[d] - lo) / (hi - lo)) * (hi - lo);
-		if (grid->periodic[d] || grid->ghosts[d] == 0)
-			place[d] = place[d] < lo ? lo : place[d] > hi ? hi : place[d];
-		cell[d] = ts_grid_find(grid, d, place[d]);
-		if (cell[d] < 0)
-			return false;
-	}
-	return true;
-}
 
 static void set_axis_weights(struct ts_coupling_weights *s, int d, int low, int high, double share)
 {
@@ -82,71 +64,106 @@ void ts_coupling_weights_faces(const struct ts_fluid *fluid, const double place[
 			along_faces(&fluid->grid, d, place[d], cell[d], how, &out[d]);
 }
 
-/* Field index and weight of corner b of eight. */
-static double corner_weight(const struct ts_grid *grid, const struct ts_coupling_weights *s, int b,
-			    size_t *at)
-{
-	int x = b & 1, y = b >> 1 & 1, z = b >> 2 & 1;
+enum { CORNERS = 8 };
 
-	*at = ts_at(grid, s->index[0][x], s->index[1][y], s->index[2][z]);
-	return s->weight[0][x] * s->weight[1][y] * s->weight[2][z];
+/* Indices in a field and weights of the points, x fastest. */
+struct corners {
+	ptrdiff_t at[CORNERS];
+	double weight[CORNERS];
+};
+
+TS_INLINE void find_corners(const struct ts_grid *grid, const struct ts_coupling_weights *s,
+			    struct corners *out)
+{
+	for (int b = 0; b < CORNERS; b++) {
+		int x = b & 1, y = b >> 1 & 1, z = b >> 2;
+
+		out->at[b] = (ptrdiff_t)ts_at(grid, s->index[0][x], s->index[1][y], s->index[2][z]);
+		out->weight[b] = s->weight[0][x] * s->weight[1][y] * s->weight[2][z];
+	}
+}
+
+/* Terms of points without weight are 0, whatever their fields are. The order of the sum is fixed. */
+TS_INLINE double sum_terms(const struct corners *corners, const double term[CORNERS])
+{
+	double sum = 0;
+
+	for (int b = 0; b < CORNERS; b++)
+		sum += corners->weight[b] != 0 ? term[b] : 0;
+	return sum;
 }
 
 double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupling_weights *s,
 			       const double *field)
 {
-	double sum = 0;
+	struct corners corners;
+	double term[CORNERS];
 
-	for (int b = 0; b < 8; b++) {
-		size_t at;
-		double weight = corner_weight(grid, s, b, &at);
-
-		if (weight != 0)
-			sum += weight * field[at];
-	}
-	return sum;
+	find_corners(grid, s, &corners);
+	for (int b = 0; b < CORNERS; b++)
+		term[b] = corners.weight[b] * field[corners.at[b]];
+	return sum_terms(&corners, term);
 }
 
+TS_CLONES
 double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s,
 					int c, const double *field)
 {
-	size_t stride = (size_t)grid->stride[c];
-	double sum = 0;
+	ptrdiff_t stride = grid->stride[c];
+	struct corners corners;
+	double term[CORNERS], gap[CORNERS], step[CORNERS];
 
-	for (int b = 0; b < 8; b++) {
-		size_t at;
-		double weight = corner_weight(grid, s, b, &at);
-
-		if (weight != 0)
-			sum += weight * (field[at] - field[at - stride]) /
-			       grid->gap[c][s->index[c][b >> c & 1]];
+	find_corners(grid, s, &corners);
+	for (int b = 0; b < CORNERS; b++) {
+		gap[b] = grid->gap[c][s->index[c][b >> c & 1]];
+		step[b] = field[corners.at[b]] - field[corners.at[b] - stride];
 	}
-	return sum;
+#pragma omp simd
+	for (int b = 0; b < CORNERS; b++)
+		term[b] = corners.weight[b] * step[b] / gap[b];
+	return sum_terms(&corners, term);
 }
 
+/* Control volumes of the points. */
+TS_INLINE void find_volumes(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
+			    double volume[CORNERS])
+{
+	double width[3][2];
+
+	for (int d = 0; d < 3; d++)
+		for (int side = 0; side < 2; side++)
+			width[d][side] =
+				(d == c && grid->ghosts[d] ? grid->gap : grid->width)[d][s->index[d][side]];
+	for (int b = 0; b < CORNERS; b++) {
+		volume[b] = width[0][b & 1] * width[1][b >> 1 & 1];
+		if (!grid->by_depth)
+			volume[b] *= width[2][b >> 2];
+	}
+}
+
+TS_CLONES
 double ts_coupling_distribute_force(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
 				    const double *q, double amount, double slope, double *source,
 				    double *rate)
 {
-	double sum = 0;
+	struct corners corners;
+	double volume[CORNERS], value[CORNERS], force[CORNERS], change[CORNERS], term[CORNERS];
 
-	for (int b = 0; b < 8; b++) {
-		size_t at;
-		double weight = corner_weight(grid, s, b, &at), volume = 1;
-
-		if (weight == 0)
-			continue;
-		for (int d = 0; d < 3; d++) {
-			int i = s->index[d][b >> d & 1];
-
-			if (d == 2 && grid->by_depth)
-				continue;
-			volume *= d == c && grid->ghosts[d] ? grid->gap[d][i] : grid->width[d][i];
-		}
-		sum += weight * q[at];
-		source[at] += weight * (slope * q[at] - amount) / volume;
-		if (rate)
-			rate[at] += weight * slope / volume;
+	find_corners(grid, s, &corners);
+	find_volumes(grid, s, c, volume);
+	for (int b = 0; b < CORNERS; b++)
+		value[b] = q[corners.at[b]];
+#pragma omp simd
+	for (int b = 0; b < CORNERS; b++) {
+		force[b] = corners.weight[b] * (slope * value[b] - amount) / volume[b];
+		change[b] = corners.weight[b] * slope / volume[b];
+		term[b] = corners.weight[b] * value[b];
 	}
-	return sum;
+	for (int b = 0; b < CORNERS; b++) /* two of them may be the same point */
+		if (corners.weight[b] != 0) {
+			source[corners.at[b]] += force[b];
+			if (rate)
+				rate[corners.at[b]] += change[b];
+		}
+	return sum_terms(&corners, term);
 }

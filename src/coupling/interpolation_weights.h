@@ -7,6 +7,8 @@
 #ifndef TS_COUPLING_INTERPOLATION_WEIGHTS_H
 #define TS_COUPLING_INTERPOLATION_WEIGHTS_H
 
+#include <math.h>
+
 #include "flow/fluid.h"
 
 enum ts_coupling_interpolation {
@@ -22,7 +24,25 @@ struct ts_coupling_weights {
 };
 
 /* Finds the image of x in the grid, across periodic faces, and its cell; false if x is outside the grid. */
-bool ts_coupling_locate(const struct ts_fluid *fluid, const double x[3], double place[3], int cell[3]);
+static inline bool ts_coupling_locate(const struct ts_fluid *fluid, const double x[3], double place[3],
+				      int cell[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	for (int d = 0; d < 3; d++) {
+		double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
+
+		place[d] = x[d];
+		if (grid->periodic[d] && !(x[d] >= lo && x[d] <= hi))
+			place[d] -= floor((x[d] - lo) / (hi - lo)) * (hi - lo);
+		if (grid->periodic[d] || grid->ghosts[d] == 0)
+			place[d] = place[d] < lo ? lo : place[d] > hi ? hi : place[d];
+		cell[d] = ts_grid_find(grid, d, place[d]);
+		if (cell[d] < 0)
+			return false;
+	}
+	return true;
+}
 
 /* Weights for each component of the velocity, at a place found by ts_coupling_locate. */
 void ts_coupling_weights_faces(const struct ts_fluid *fluid, const double place[3], const int cell[3],

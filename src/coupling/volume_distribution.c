@@ -34,11 +34,14 @@ struct span {
 
 static void find_images(const struct ts_grid *grid, int d, struct span *s)
 {
-	int cell = (s->first % grid->n[d] + grid->n[d]) % grid->n[d];
+	const int n = grid->n[d];
+	int cell = s->first;
 
+	if (cell < 0 || cell >= n)
+		cell = (cell % n + n) % n;
 	for (int k = 0; k < s->n; k++) {
 		s->cell[k] = cell;
-		cell = cell + 1 < grid->n[d] ? cell + 1 : 0;
+		cell = cell + 1 < n ? cell + 1 : 0;
 	}
 }
 
@@ -47,6 +50,8 @@ static double cell_width(const struct ts_grid *grid, int d, int i)
 {
 	int n = grid->n[d];
 
+	if (grid->uniform[d])
+		return grid->width[d][0];
 	return grid->width[d][grid->periodic[d] ? (i % n + n) % n : i < 0 ? 0 : i >= n ? n - 1 : i];
 }
 
@@ -96,15 +101,48 @@ static void corner_volumes(const struct span s[3], bool disc, double z, layer ou
 					 : ts_ball_corner(s[0].face[i], s[1].face[j], z);
 }
 
+enum { FEW = 2 }; /* cells along an axis */
+
+static double few_difference(double a[FEW + 1][FEW + 1], int i, int j)
+{
+	return a[j][i] - a[j][i + 1] - a[j + 1][i] + a[j + 1][i + 1];
+}
+
 static double cell_difference(double (*a)[TS_VOLUME_MAX_CELLS + 2], int i, int j)
 {
 	return a[j][i] - a[j][i + 1] - a[j + 1][i] + a[j + 1][i + 1];
+}
+
+/* At most two cells along each axis, as for particles smaller than cells. */
+static void distribute_over_few(const struct span s[3], double unit, const struct visitor *to)
+{
+	const double cut[3] = { s[0].face[1], s[1].face[1], s[2].face[1] };
+	const bool cuts[3] = { s[0].n > 1, s[1].n > 1, s[2].n > 1 };
+	double corner[8], layers[3][FEW + 1][FEW + 1] = { 0 };
+
+	ts_ball_corners(cut, cuts, corner);
+	for (int k = 0; k < s[2].n; k++)
+		for (int j = 0; j < s[1].n; j++)
+			for (int i = 0; i < s[0].n; i++)
+				layers[k][j][i] = corner[i + 2 * j + 4 * k];
+	for (int k = 0; k < s[2].n; k++)
+		for (int j = 0; j < s[1].n; j++)
+			for (int i = 0; i < s[0].n; i++) {
+				double part =
+					few_difference(layers[k], i, j) - few_difference(layers[k + 1], i, j);
+
+				add_to_cell(s, i, j, k, fmax(part, 0) * unit, to);
+			}
 }
 
 static void distribute_exactly(const struct span s[3], bool disc, double unit, const struct visitor *to)
 {
 	layer layers[2];
 
+	if (!disc && s[0].n <= FEW && s[1].n <= FEW && s[2].n <= FEW) {
+		distribute_over_few(s, unit, to);
+		return;
+	}
 	corner_volumes(s, disc, s[2].face[0], layers[0]);
 	for (int k = 0; k < s[2].n; k++) {
 		double(*low)[TS_VOLUME_MAX_CELLS + 2] = layers[k % 2];

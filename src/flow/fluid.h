@@ -148,6 +148,7 @@ enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim,
 
 struct ts_mesh_surface;
 struct ts_coupling_volume;
+struct ts_cell_order;
 struct ts_closed_search;
 
 /* Interface of the fixes that take part in a step of the fluid. The state of such a fix begins with this
@@ -165,6 +166,9 @@ struct ts_flow_part {
 	/* How the volume of a particle is distributed over the cells, for e; NULL: the fix does not set e. */
 	void (*volume_distribution)(const struct ts_instance *self, const struct tsim *sim,
 				    struct ts_coupling_volume *how);
+	/* The particles as the fix sorts them by cells, for the fixes after it (coupling/cell_order.h); NULL:
+	 * it does not. */
+	struct ts_cell_order *order;
 	/* The largest stable dt of the fluid as far as this fix is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
 	/* After all substeps, of total length `length`: exchange_velocity is the mean over them, and f and

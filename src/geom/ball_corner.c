@@ -99,6 +99,58 @@ double ts_ball_corner(double a, double b, double c)
 	return positive_corner_volume(a, b, c);
 }
 
+/* x >= a, y >= b, from the volume `positive` beyond (|a|, |b|) */
+static double reflected_edge(double a, double b, double positive)
+{
+	if (a < 0)
+		return cap_volume(b) - (b < 0 ? cap_volume(-a) - positive : positive);
+	return b < 0 ? cap_volume(a) - positive : positive;
+}
+
+/* x >= a, with the other faces below the ball; in the arithmetic of ts_ball_corner for x and y */
+static double reflected_cap(double a)
+{
+	return a < 0 ? cap_volume(-1) - cap_volume(-a) : cap_volume(a);
+}
+
+/* x >= a, y >= b, z >= c, from the volumes beyond (|b|, |c|), (|a|, |c|), (|a|, |b|) */
+static double reflected_corner(const double cut[3], const double positive[3])
+{
+	double a = fabs(cut[0]), b = fabs(cut[1]), c = fabs(cut[2]), volume = positive_corner_volume(a, b, c);
+
+	if (cut[2] < 0)
+		volume = positive[2] - volume;
+	if (cut[1] < 0)
+		volume = reflected_edge(a, cut[2], positive[1]) - volume;
+	return cut[0] < 0 ? reflected_edge(cut[1], cut[2], positive[0]) - volume : volume;
+}
+
+void ts_ball_corners(const double cut[3], const bool cuts[3], double out[8])
+{
+	double positive[3] = { 0 };
+
+	for (int d = 0; d < 3; d++)
+		if (cuts[d == 0 ? 1 : 0] && cuts[d == 2 ? 1 : 2])
+			positive[d] = 2 * positive_edge_volume(fabs(cut[d == 0]), fabs(cut[d == 2 ? 1 : 2]));
+	out[0] = cap_volume(-1);
+	if (cuts[0])
+		out[1] = reflected_cap(cut[0]);
+	if (cuts[1])
+		out[2] = reflected_cap(cut[1]);
+	if (cuts[2])
+		out[4] = cap_volume(cut[2]);
+	if (cuts[0] && cuts[1])
+		out[3] = cut[0] < 0 && cut[1] < 0
+				 ? reflected_cap(cut[1]) - (cap_volume(-cut[0]) - positive[2])
+				 : reflected_edge(cut[0], cut[1], positive[2]);
+	if (cuts[0] && cuts[2])
+		out[5] = reflected_edge(cut[0], cut[2], positive[1]);
+	if (cuts[1] && cuts[2])
+		out[6] = reflected_edge(cut[1], cut[2], positive[0]);
+	if (cuts[0] && cuts[1] && cuts[2])
+		out[7] = reflected_corner(cut, positive);
+}
+
 /* x >= a of the disc */
 static double segment_area(double a)
 {

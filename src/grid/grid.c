@@ -92,18 +92,11 @@ void ts_grid_release(struct ts_grid *grid)
 	*grid = (struct ts_grid){ 0 };
 }
 
-int ts_grid_find(const struct ts_grid *grid, int d, double x)
+int ts_grid_bisect(const struct ts_grid *grid, int d, double x)
 {
 	const double *face = grid->face[d];
-	int n = grid->n[d], low = 0, high = n;
+	int low = 0, high = grid->n[d];
 
-	if (!(x >= face[0] && x <= face[n]))
-		return -1;
-	if (grid->uniform[d]) {
-		int i = (int)((x - face[0]) / grid->width[d][0]);
-
-		return i < n ? i : n - 1;
-	}
 	while (high - low > 1) {
 		int middle = (low + high) / 2;
 

@@ -70,9 +70,23 @@ static inline size_t ts_grid_cells(const struct ts_grid *grid)
 	return (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
 }
 
+/* ts_grid_find by bisection, for x in the grid. */
+int ts_grid_bisect(const struct ts_grid *grid, int d, double x);
+
 /* The index of the cell along axis d that contains the coordinate x, from 0 to n - 1; -1 if x is outside
  * the grid. The upper boundary belongs to cell n - 1. Constant time on uniform axes, else a bisection. */
-int ts_grid_find(const struct ts_grid *grid, int d, double x);
+static inline int ts_grid_find(const struct ts_grid *grid, int d, double x)
+{
+	const double *face = grid->face[d];
+	int n = grid->n[d], i;
+
+	if (!(x >= face[0] && x <= face[n]))
+		return -1;
+	if (!grid->uniform[d])
+		return ts_grid_bisect(grid, d, x);
+	i = (int)((x - face[0]) / grid->width[d][0]);
+	return i < n ? i : n - 1;
+}
 
 /* Allocates a field of zeros, aligned to 64 bytes; NULL if out of memory. Freed by ts_grid_field_free. */
 double *ts_grid_field(const struct ts_grid *grid);
