@@ -1,169 +1,174 @@
 #include "coupling/interpolation_weights.h"
 
-#include "base/clones.h"
 #include "base/inline.h"
 
 #include "base/banned.h"
 
 const char *const ts_coupling_interpolation_names[] = { "linear", "cell", NULL };
 
-static void set_axis_weights(struct ts_coupling_weights *s, int d, int low, int high, double share)
+/* Two points along an axis, and the weight of the second. */
+struct axis_points {
+	int low, high;
+	double share;
+};
+
+TS_INLINE void set_axis(struct ts_coupling_weights *out, int d, const struct axis_points *points)
 {
-	s->index[d][0] = low;
-	s->index[d][1] = high;
-	s->weight[d][0] = 1 - share;
-	s->weight[d][1] = share;
+	out->index[d][0] = points->low;
+	out->index[d][1] = points->high;
+	out->weight[d][0] = 1 - points->share;
+	out->weight[d][1] = points->share;
 }
 
-/* Weights along an axis on which the points are cell centres. */
-static void along_centres(const struct ts_grid *grid, int d, double x, int cell,
-			  enum ts_coupling_interpolation how, struct ts_coupling_weights *s)
+/* Along an axis on which the points are cell centres. */
+TS_INLINE struct axis_points along_centres(const struct ts_grid *grid, int d, double x, int cell,
+					   enum ts_coupling_interpolation how)
 {
 	const double *centre = grid->centre[d];
 	int n = grid->n[d], low = x < centre[cell] ? cell - 1 : cell;
+	struct axis_points out;
 
-	if (how == TS_INTERPOLATE_CELL || grid->ghosts[d] == 0) {
-		set_axis_weights(s, d, cell, cell, 0);
-		return;
-	}
-	set_axis_weights(s, d, low, low + 1, (x - centre[low]) / (centre[low + 1] - centre[low]));
-	if (low < 0)
-		s->index[d][0] = grid->periodic[d] ? n - 1 : 0;
-	if (low + 1 >= n)
-		s->index[d][1] = grid->periodic[d] ? 0 : n - 1;
+	if (how == TS_INTERPOLATE_CELL || grid->ghosts[d] == 0)
+		return (struct axis_points){ cell, cell, 0 };
+	out.share = (x - centre[low]) / (centre[low + 1] - centre[low]);
+	out.low = low >= 0 ? low : grid->periodic[d] ? n - 1 : 0;
+	out.high = low + 1 < n ? low + 1 : grid->periodic[d] ? 0 : n - 1;
+	return out;
 }
 
-/* Weights along the axis of the component, on which the points are faces. */
-static void along_faces(const struct ts_grid *grid, int d, double x, int cell,
-			enum ts_coupling_interpolation how, struct ts_coupling_weights *s)
+/* Along the axis of the component, on which the points are faces. */
+TS_INLINE struct axis_points along_faces(const struct ts_grid *grid, int d, double x, int cell,
+					 enum ts_coupling_interpolation how)
 {
 	int n = grid->n[d], last = grid->periodic[d] || n == 1 ? 0 : n - 1;
+	bool first = cell == 0 && !grid->periodic[d] && n > 1;
 
-	set_axis_weights(s, d, cell, cell + 1,
-			 how == TS_INTERPOLATE_CELL ? 0.5 : (x - grid->face[d][cell]) / grid->width[d][cell]);
-	if (cell == 0 && !grid->periodic[d] && n > 1)
-		s->index[d][0] = 1;
-	if (cell == n - 1)
-		s->index[d][1] = last;
+	return (struct axis_points){ first ? 1 : cell, cell == n - 1 ? last : cell + 1,
+				     how == TS_INTERPOLATE_CELL
+					     ? 0.5
+					     : (x - grid->face[d][cell]) / grid->width[d][cell] };
 }
 
 void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place[3], const int cell[3],
 				enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
 {
-	for (int d = 0; d < 3; d++)
-		along_centres(&fluid->grid, d, place[d], cell[d], how, out);
+	for (int d = 0; d < 3; d++) {
+		struct axis_points points = along_centres(&fluid->grid, d, place[d], cell[d], how);
+
+		set_axis(out, d, &points);
+	}
 }
 
 void ts_coupling_weights_faces(const struct ts_fluid *fluid, const double place[3], const int cell[3],
 			       enum ts_coupling_interpolation how, struct ts_coupling_weights out[3])
 {
-	ts_coupling_weights_centre(fluid, place, cell, how, &out[0]);
-	out[1] = out[2] = out[0];
-	for (int d = 0; d < 3; d++)
-		if (fluid->grid.ghosts[d])
-			along_faces(&fluid->grid, d, place[d], cell[d], how, &out[d]);
-}
+	for (int d = 0; d < 3; d++) {
+		struct axis_points centres = along_centres(&fluid->grid, d, place[d], cell[d], how);
 
-enum { CORNERS = 8 };
+		for (int c = 0; c < 3; c++)
+			set_axis(&out[c], d, &centres);
+		if (fluid->grid.ghosts[d]) {
+			struct axis_points faces = along_faces(&fluid->grid, d, place[d], cell[d], how);
 
-/* Indices in a field and weights of the points, x fastest. */
-struct corners {
-	ptrdiff_t at[CORNERS];
-	double weight[CORNERS];
-};
-
-TS_INLINE void find_corners(const struct ts_grid *grid, const struct ts_coupling_weights *s,
-			    struct corners *out)
-{
-	for (int b = 0; b < CORNERS; b++) {
-		int x = b & 1, y = b >> 1 & 1, z = b >> 2;
-
-		out->at[b] = (ptrdiff_t)ts_at(grid, s->index[0][x], s->index[1][y], s->index[2][z]);
-		out->weight[b] = s->weight[0][x] * s->weight[1][y] * s->weight[2][z];
+			set_axis(&out[d], d, &faces);
+		}
 	}
 }
 
-/* Terms of points without weight are 0, whatever their fields are. The order of the sum is fixed. */
-TS_INLINE double sum_terms(const struct corners *corners, const double term[CORNERS])
-{
-	double sum = 0;
+/* Two points beside each other along x, and their weights, in registers: a load of two numbers behind stores of one
+ * waits for the stores. */
+typedef double pair __attribute__((vector_size(16)));
+#define PAIR(a) ((pair){ (a)[0], (a)[1] })
+#define PAIR_AT(field, row) ((pair){ (field)[(row)->at[0]], (field)[(row)->at[1]] })
 
-	for (int b = 0; b < CORNERS; b++)
-		sum += corners->weight[b] != 0 ? term[b] : 0;
-	return sum;
+enum { ROWS = 4 };
+
+struct row {
+	ptrdiff_t at[2]; /* indices in a field */
+	pair weight;
+};
+
+/* Row k of the points: k & 1 along y, k >> 1 along z. */
+TS_INLINE struct row find_row(const struct ts_grid *grid, const struct ts_coupling_weights *s, int k)
+{
+	const int y = k & 1, z = k >> 1;
+	const ptrdiff_t base =
+		(ptrdiff_t)grid->origin + s->index[1][y] * grid->stride[1] + s->index[2][z] * grid->stride[2];
+
+	return (struct row){ { base + s->index[0][0], base + s->index[0][1] },
+			     PAIR(s->weight[0]) * s->weight[1][y] * s->weight[2][z] };
+}
+
+/* Terms of points without weight are 0, whatever their fields are. The order of the sum is fixed. */
+TS_INLINE double add_terms(double sum, const struct row *row, pair term)
+{
+	sum += row->weight[0] != 0 ? term[0] : 0;
+	return sum + (row->weight[1] != 0 ? term[1] : 0);
 }
 
 double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupling_weights *s,
 			       const double *field)
 {
-	struct corners corners;
-	double term[CORNERS];
+	double sum = 0;
 
-	find_corners(grid, s, &corners);
-	for (int b = 0; b < CORNERS; b++)
-		term[b] = corners.weight[b] * field[corners.at[b]];
-	return sum_terms(&corners, term);
+#pragma GCC unroll 4
+	for (int k = 0; k < ROWS; k++) {
+		const struct row row = find_row(grid, s, k);
+
+		sum = add_terms(sum, &row, row.weight * PAIR_AT(field, &row));
+	}
+	return sum;
 }
 
-TS_CLONES
 double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s,
 					int c, const double *field)
 {
-	ptrdiff_t stride = grid->stride[c];
-	struct corners corners;
-	double term[CORNERS], gap[CORNERS], step[CORNERS];
+	const double gap[2] = { grid->gap[c][s->index[c][0]], grid->gap[c][s->index[c][1]] };
+	const double *below = field - grid->stride[c];
+	double sum = 0;
 
-	find_corners(grid, s, &corners);
-	for (int b = 0; b < CORNERS; b++) {
-		gap[b] = grid->gap[c][s->index[c][b >> c & 1]];
-		step[b] = field[corners.at[b]] - field[corners.at[b] - stride];
+#pragma GCC unroll 4
+	for (int k = 0; k < ROWS; k++) {
+		const struct row row = find_row(grid, s, k);
+		const double other = gap[c == 1 ? k & 1 : k >> 1];
+		const pair by = { c == 0 ? gap[0] : other, c == 0 ? gap[1] : other };
+
+		sum = add_terms(sum, &row, row.weight * (PAIR_AT(field, &row) - PAIR_AT(below, &row)) / by);
 	}
-#pragma omp simd
-	for (int b = 0; b < CORNERS; b++)
-		term[b] = corners.weight[b] * step[b] / gap[b];
-	return sum_terms(&corners, term);
+	return sum;
 }
 
-/* Control volumes of the points. */
-TS_INLINE void find_volumes(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
-			    double volume[CORNERS])
+/* Two of the points may be the same one. */
+TS_INLINE void add_to_points(const struct row *row, pair amount, double *field)
 {
-	double width[3][2];
-
-	for (int d = 0; d < 3; d++)
-		for (int side = 0; side < 2; side++)
-			width[d][side] =
-				(d == c && grid->ghosts[d] ? grid->gap : grid->width)[d][s->index[d][side]];
-	for (int b = 0; b < CORNERS; b++) {
-		volume[b] = width[0][b & 1] * width[1][b >> 1 & 1];
-		if (!grid->by_depth)
-			volume[b] *= width[2][b >> 2];
-	}
+	if (row->weight[0] != 0)
+		field[row->at[0]] += amount[0];
+	if (row->weight[1] != 0)
+		field[row->at[1]] += amount[1];
 }
 
-TS_CLONES
 double ts_coupling_distribute_force(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
 				    const double *q, double amount, double slope, double *source,
 				    double *rate)
 {
-	struct corners corners;
-	double volume[CORNERS], value[CORNERS], force[CORNERS], change[CORNERS], term[CORNERS];
+	double width[3][2], sum = 0;
 
-	find_corners(grid, s, &corners);
-	find_volumes(grid, s, c, volume);
-	for (int b = 0; b < CORNERS; b++)
-		value[b] = q[corners.at[b]];
-#pragma omp simd
-	for (int b = 0; b < CORNERS; b++) {
-		force[b] = corners.weight[b] * (slope * value[b] - amount) / volume[b];
-		change[b] = corners.weight[b] * slope / volume[b];
-		term[b] = corners.weight[b] * value[b];
+	for (int d = 0; d < 3; d++) {
+		const double *of = d == c && grid->ghosts[d] ? grid->gap[d] : grid->width[d];
+
+		width[d][0] = d == 2 && grid->by_depth ? 1 : of[s->index[d][0]];
+		width[d][1] = d == 2 && grid->by_depth ? 1 : of[s->index[d][1]];
 	}
-	for (int b = 0; b < CORNERS; b++) /* two of them may be the same point */
-		if (corners.weight[b] != 0) {
-			source[corners.at[b]] += force[b];
-			if (rate)
-				rate[corners.at[b]] += change[b];
-		}
-	return sum_terms(&corners, term);
+#pragma GCC unroll 4
+	for (int k = 0; k < ROWS; k++) {
+		const struct row row = find_row(grid, s, k);
+		const pair volume = PAIR(width[0]) * width[1][k & 1] * width[2][k >> 1];
+		const pair value = PAIR_AT(q, &row);
+
+		sum = add_terms(sum, &row, row.weight * value);
+		add_to_points(&row, row.weight * (slope * value - amount) / volume, source);
+		if (rate)
+			add_to_points(&row, row.weight * slope / volume, rate);
+	}
+	return sum;
 }
