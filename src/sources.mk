@@ -1337,6 +1337,7 @@ library_sources = \
 	src/view/view_data.h \
 	src/view/view_data_columns.c \
 	src/view/view_data_curves.c \
+	src/view/view_formula.c \
 	src/view/view_overview.c \
 	src/view/view_overview.h \
 	src/voxel/dump_voxel_vtk.c \

@@ -13,6 +13,7 @@ shell_tests = \
 	tests/bed/mixing.sh \
 	tests/bed/mixing_neighbors.sh \
 	tests/bed/repose.sh \
+	tests/bed/stress_region.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
 	tests/bond/bpm.sh \

@@ -328,7 +328,7 @@ void ts_view_help(struct ts_str *out)
 		   "  tsim -plot FILE COLUMN ... [-x COLUMN]         on the terminal\n"
 		   "  tsim -plot FILE [COLUMN ...] -o FILE.svg       picture, .svg or .png\n"
 		   "  tsim -plot FILE COLUMN -plot FILE2 [COLUMN]    curves of several files\n"
-		   "  COLUMN is NAME[+-ERROR][=LABEL]; names may be numbers from 1 on\n"
+		   "  COLUMN is NAME[+-ERROR][=LABEL]; names may be numbers from 1 on, or formulas: '100*ke/$3=share'\n"
 		   "  -log x|y|xy  -xrange LO:HI  -yrange LO:HI  -style lines|points|both|steps\n"
 		   "  -mark y=VALUE[:NAME]  -title TEXT  -xlabel TEXT  -ylabel TEXT  -size WIDTHxHEIGHT  "
 		   "-panels\n"

@@ -52,7 +52,7 @@ bool ts_view_is_drawn(const struct ts_view_file *f, size_t column)
 	return !f->results || (column >= f->first_result && column < f->first_result + f->results);
 }
 
-enum ts_status ts_view_find(const struct ts_view_data *v, const struct ts_view_file *f, const char *name,
+enum ts_status ts_view_find(const struct ts_view_data *v, struct ts_view_file *f, const char *name,
 			    size_t *column)
 {
 	const struct ts_sheet *t = f->part[0];
@@ -63,6 +63,8 @@ enum ts_status ts_view_find(const struct ts_view_data *v, const struct ts_view_f
 	*column = ts_sheet_find(t, name);
 	for (size_t k = 0; k < t->columns && *column == SIZE_MAX; k++)
 		ts_suggest_try(&suggest, t->column[k].name);
+	if (*column == SIZE_MAX && ts_view_is_formula(name))
+		return ts_view_add_formula(v, f, name, column);
 	if (*column == SIZE_MAX)
 		return ts_fail(&v->sim->error, TS_UNKNOWN, NULL, "%s has no column '%s'%s", f->source->path,
 			       name, ts_suggest_text(&suggest));
@@ -250,7 +252,7 @@ static const char *part_of(struct ts_view_data *v, const char *from, size_t n)
 	return copy;
 }
 
-/* NAME[+-ERROR][=LABEL]; a column that has the whole word as its name goes first. */
+/* NAME[+-ERROR][=LABEL], each a name or a formula; a column that has the whole word as its name goes first. */
 static enum ts_status parse_column(struct ts_view_data *v, struct ts_view_file *f, const char *word,
 				   struct ts_view_column *out)
 {

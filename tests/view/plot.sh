@@ -228,4 +228,19 @@ fails 'part' 1 "-part is '5', expected all, last, or a number from 1 to 2" -plot
 fails 'together' 2 '-plot and -in cannot be given together' -plot ave -in in.fall
 fails 'alone' 2 'belong to -plot, which is not given' -x a -in in.fall
 fails 'no words' 2 'option -plot needs FILE' -plot
+# formulas of columns
+printf '# t ke pe c_x[2]\n1 2 3 4\n2 4 0 8\n3 8 5 1\n' >formulas
+printf 't,share,scaled\n1,40,10\n2,100,20\n3,61.53846153846154,30\n' >direct.csv
+"$TSIM" -plot formulas '100*ke/(ke+pe)=share' '$1*10=scaled' -x 't*2' -xlabel t -title '' -o formulas.svg >out 2>&1 &&
+	"$TSIM" -plot direct.csv share scaled -x t*2 -xlabel t -title '' -o direct.svg >>out 2>&1
+same 'formulas are columns' formulas.svg direct.svg
+"$TSIM" -plot formulas 'sqrt(c_x[2])/pe' >out 2>&1 && grep -q '^1 of 3 points not shown: not finite' out
+report 'a row without a value' $? out
+fails 'a formula without one' 1 'division of 2 by zero' -plot formulas 'ke/(pe-pe)'
+fails 'an unknown name' 1 "unknown name 'kee'; did you mean 'ke'" -plot formulas 'kee/pe'
+fails 'an unknown number' 1 "the columns of formulas are " -plot formulas '$5+1'
+fails 'no column' 1 "as a formula it names none" -plot formulas '3*4'
+fails 'not closed' 1 "expected" -plot formulas '(ke'
+printf 'a,b\n1,x\n2,y\n' >words
+fails 'a word' 1 "column 'b' of words has 'x', expected a number" -plot words 'a+b'
 finish
