@@ -654,6 +654,8 @@ library_sources = \
 	src/image/image_colour.c \
 	src/image/image_contact.c \
 	src/image/image_contact.h \
+	src/image/image_film.c \
+	src/image/image_film.h \
 	src/image/image_frame.c \
 	src/image/image_groups.c \
 	src/image/image_groups.h \

@@ -14,6 +14,7 @@ enum { TS_IMAGE_COLOUR, TS_IMAGE_DIAMETER, TS_IMAGE_COLUMNS };
 
 struct ts_image_surface;
 struct ts_image_clip;
+struct ts_image_film;
 struct ts_image_slice;
 struct ts_image_arrows;
 struct ts_image_contacts;
@@ -98,14 +99,15 @@ struct ts_image {
 	struct ts_words surface_words;
 	struct ts_image_surface *surface; /* [nsurfaces] image_surfaces.h */
 	size_t nsurfaces;
-	/* image_clip.h, image_slice.h, image_arrow.h, image_contact.h, image_region.h */
-	struct ts_words clip_words, slice_words, arrow_words, contact_words, region_words;
+	/* image_clip.h, image_slice.h, image_film.h, image_arrow.h, image_contact.h, image_region.h */
+	struct ts_words clip_words, slice_words, film_words, arrow_words, contact_words, region_words;
 	struct ts_image_clip *clip;
 	struct ts_image_slice *slice;
+	struct ts_image_film *film;
 	struct ts_image_arrows *arrows;
 	struct ts_image_contacts *contacts;
 	struct ts_image_region *region;
-	size_t nclips, nslices, narrows, ncontacts, nregions;
+	size_t nclips, nslices, nfilms, narrows, ncontacts, nregions;
 	double first_box[2][3]; /* lower and upper corner of the box at the definition; saved */
 	bool placed;		/* first_box is set; saved */
 

@@ -45,6 +45,10 @@ const struct ts_arg ts_image_args[] = {
 	     "F] [width W] [color C]: field of the fluid in a plane (QUANTITY speed, vx, vy, vz, p, void, "
 	     "wx, wy, wz, vorticity, f_ID or none), arrows of its velocity, streamlines (1, gray, no arrows, "
 	     "length SPACING, black)"),
+	PART("film", film_words,
+	     "p|gap|void [height Z] [relief F] [trans T]: the film of flow_style reynolds at z = Z + F gap, "
+	     "colored by its "
+	     "pressure, gap or void fraction (0, 0, 1)"),
 	PART("arrow", arrow_words,
 	     "VX VY VZ [length L|factor F] [width W] [color C]: arrows of a vector of the particles (length "
 	     "4 diameters, color atom: that of the particle)"),

@@ -5,6 +5,7 @@
 #include "image/image_clip.h"
 #include "image/image_contact.h"
 #include "image/image_region.h"
+#include "image/image_film.h"
 #include "image/image_slice.h"
 #include "image/image_surfaces.h"
 
@@ -97,6 +98,7 @@ enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *d
 	TS_TRY(ts_image_add_regions(self, sim));
 	s->scene.whole = true; /* not cut */
 	TS_TRY(ts_image_add_slices(self, sim));
+	TS_TRY(ts_image_add_films(self, sim));
 	TS_TRY(ts_image_add_arrows(self, sim));
 	*drawn = !s->unless_empty || s->scene.nspheres || s->scene.ntriangles;
 	if (!*drawn)

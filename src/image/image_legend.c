@@ -1,5 +1,6 @@
 /* Legends: the colour maps of a picture, the first two of them, at the right and at the left edge. */
 #include "image/image_contact.h"
+#include "image/image_film.h"
 #include "image/image_slice.h"
 #include "image/image_surfaces.h"
 #include "render/legend.h"
@@ -45,6 +46,15 @@ static void add_slices(struct legends *l)
 	}
 }
 
+static void add_films(struct legends *l)
+{
+	const struct ts_image_film *film = l->d->film;
+
+	if (l->d->nfilms)
+		add(l, &l->d->field_map, (const double[]){ film->scale.lo, film->scale.hi },
+		    ts_image_film_quantity(film));
+}
+
 static void add_surfaces(struct legends *l)
 {
 	for (size_t n = 0; n < l->d->nsurfaces; n++) {
@@ -79,5 +89,6 @@ void ts_image_add_legends(struct ts_image *d)
 		add(&l, &d->bond_map, d->range[1], d->bond.colour);
 	add_contacts(&l);
 	add_slices(&l);
+	add_films(&l);
 	add_surfaces(&l);
 }

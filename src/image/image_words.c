@@ -6,6 +6,7 @@
 #include "image/image_clip.h"
 #include "image/image_contact.h"
 #include "image/image_region.h"
+#include "image/image_film.h"
 #include "image/image_slice.h"
 
 #include "base/banned.h"
@@ -256,6 +257,7 @@ enum ts_status ts_image_read(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_image_read_surfaces(self, sim));
 	TS_TRY(ts_image_read_clips(self, sim));
 	TS_TRY(ts_image_read_slices(self, sim));
+	TS_TRY(ts_image_read_films(self, sim));
 	TS_TRY(ts_image_read_arrows(self, sim));
 	TS_TRY(ts_image_read_contacts(self, sim));
 	TS_TRY(ts_image_read_regions(self, sim));

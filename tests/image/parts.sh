@@ -253,4 +253,47 @@ is 'coolwarm, middle' b.ppm 50 149 '221 221 221'
 rejects "$base
 write_dump all image a.png x type modify amap min max viridi" 'viridis'
 
+# The film of a slider: the gap falls from 0.2 to 0.1 along x, so its gray is known at each pixel
+film='units si
+boundary f p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+variable xx internal 0
+variable wafer equal 0.2-0.1*v_xx'
+reynolds='flow_style reynolds cells 10 10 lower 0 lower_velocity 1 0 0 upper v_wafer set x xx viscosity 1 density 1 update run'
+view='view 0 0 up 0 1 0 zoom 2 size 200 200 box no'
+cat >in.film <<E
+$film
+$reynolds
+write_dump all image before.ppm type type $view film p legend yes
+run 0
+write_dump all image a.ppm type type $view film gap modify gmap 0.1 0.2 gray
+write_dump all image b.ppm type type $view film gap height 0.3 relief -1 trans 0.5 modify gmap 0.1 0.2 gray backcolor black
+write_dump all image c.ppm type type view 45 -90 up 0 0 1 zoom 2 size 200 200 box no film gap relief 2 modify gmap 0.1 0.2 gray backcolor lime
+write_dump all image d.ppm type type $view film p legend yes modify gmap min max gray
+E
+for threads in 1 3; do
+	"$TSIM" -in in.film -log none -threads $threads >out 2>&1
+	report 'pictures of a film' $? out
+	mkdir film.$threads && mv before.ppm [a-d].ppm film.$threads
+done
+diff -r film.1 film.3 >difference
+report 'three threads' $? difference
+near 'the first cell' film.1/a.ppm 10 100 '242 242 242'
+near 'the middle of a cell' film.1/a.ppm 110 100 '115 115 115'
+near 'the last cell' film.1/a.ppm 195 100 '13 13 13'
+# z = 0.4 at the left, 0.2 at the right: the far edge is at the rows 43 and 70, the near one at 185 and below the picture
+is 'above the relief' film.1/c.ppm 100 30 '0 255 0'
+is 'right, above it' film.1/c.ppm 195 55 '0 255 0'
+is 'left, below it' film.1/c.ppm 4 190 '0 255 0'
+[ "$(pixel film.1/c.ppm 4 55)" != '0 255 0' ] && [ "$(pixel film.1/c.ppm 195 190)" != '0 255 0' ]
+report 'the relief falls' $?
+grep -q 'it has not been computed yet' out
+report 'a film before its run' $? out
+rejects "$film
+$reynolds
+write_dump all image a.png type type film q" 'expected one of p, gap, void'
+rejects "$film
+write_dump all image a.png type type film p" 'use flow_style reynolds before it'
+
 finish

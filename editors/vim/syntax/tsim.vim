@@ -103,10 +103,10 @@ syn keyword tsimKeyword  maxabs std inputs peratom update_on_run_end ridge plane
 syn keyword tsimKeyword  winkler halfspace young poisson counter_young counter_poisson
 syn keyword tsimKeyword  iterations counter adof cdof mean linear/x linear/y linear/z
 syn keyword tsimKeyword  motion translation rotation unbiased primitives colour u v movie
-syn keyword tsimKeyword  voxel clip slice arrow view zoom persp axes subbox shiny depthcue
-syn keyword tsimKeyword  fsaa ssao legend reset coefficient fluid_acceleration two_way
-syn keyword tsimKeyword  energy sample running window overwrite title1 title2 title3 auto
-syn keyword tsimKeyword  auto/upper auto/lower full prefactor scalar nevery
+syn keyword tsimKeyword  voxel clip slice film arrow view zoom persp axes subbox shiny
+syn keyword tsimKeyword  depthcue fsaa ssao legend reset coefficient fluid_acceleration
+syn keyword tsimKeyword  two_way energy sample running window overwrite title1 title2
+syn keyword tsimKeyword  title3 auto auto/upper auto/lower full prefactor scalar nevery
 syn keyword tsimKeyword  cell_size_relative parallel basevolume_region kind global beyond
 syn keyword tsimKeyword  end extra level prob iparam jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
