@@ -979,6 +979,8 @@ library_sources = \
 	src/mesh/mesh_touch.h \
 	src/mesh/mesh_tree.c \
 	src/mesh/mesh_tree.h \
+	src/mesh/mesh_vicinity.c \
+	src/mesh/mesh_vicinity.h \
 	src/mesh/mesh_volume.c \
 	src/mesh/mesh_volume.h \
 	src/mesh/mesh_vtk.c \

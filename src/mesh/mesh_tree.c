@@ -164,64 +164,6 @@ static bool are_boxes_apart(const double lo[3], const double hi[3], const double
 	return are;
 }
 
-/* Half the edge of the box of a vicinity, in units of the search distance. */
-static const double VICINITY = 4;
-
-static enum ts_status find_leaves(const struct ts_mesh_tree *tree, const double x[3], double distance,
-				  struct ts_mesh_vicinity *v)
-{
-	size_t stack[STACK], depth = 0;
-
-	v->distance = distance;
-	v->leaf.n = 0;
-	for (int d = 0; d < 3; d++) {
-		v->lo[d] = x[d] - VICINITY * distance;
-		v->hi[d] = x[d] + VICINITY * distance;
-	}
-	if (tree->n)
-		stack[depth++] = 1;
-	while (depth > 0) {
-		size_t k = stack[--depth];
-
-		if (are_boxes_apart(tree->lo[k], tree->hi[k], v->lo, v->hi, distance))
-			continue;
-		if (k >= tree->leaves) {
-			TS_TRY(TS_GROW(v->leaf.item, v->leaf.capacity, v->leaf.n + 1));
-			v->leaf.item[v->leaf.n++] = (int32_t)k;
-		} else {
-			stack[depth++] = 2 * k;
-			stack[depth++] = 2 * k + 1;
-		}
-	}
-	return TS_OK;
-}
-
-static bool is_vicinity_valid(const struct ts_mesh_vicinity *v, const double x[3], double distance)
-{
-	bool does = distance <= v->distance;
-
-	for (int d = 0; d < 3; d++)
-		does &= v->lo[d] <= x[d] && x[d] <= v->hi[d];
-	return does;
-}
-
-enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
-				       const double x[3], double distance, struct ts_mesh_vicinity *v,
-				       struct ts_mesh_list *list)
-{
-	list->n = 0;
-	if (!is_vicinity_valid(v, x, distance))
-		TS_TRY(find_leaves(tree, x, distance, v));
-	for (size_t j = 0; j < v->leaf.n; j++) {
-		size_t k = (size_t)v->leaf.item[j];
-
-		if (!is_outside_box(tree->lo[k], tree->hi[k], x, distance))
-			TS_TRY(collect_leaf(tree, m, k - tree->leaves, x, distance, list));
-	}
-	ts_sort(list->item, list->n, sizeof *list->item, by_index);
-	return TS_OK;
-}
-
 enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *m, const double x[3],
 				 double distance, struct ts_mesh_list *list)
 {

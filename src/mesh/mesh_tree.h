@@ -29,15 +29,4 @@ enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct t
 enum ts_status ts_mesh_tree_within(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
 				   const double lo[3], const double hi[3], struct ts_mesh_list *list);
 
-/* Result of a search that can be used for other points nearby. Zero-initialise, release by
- * ts_free(vicinity.leaf.item). */
-struct ts_mesh_vicinity {
-	double lo[3], hi[3], distance; /* valid for points in this box and up to this distance */
-	struct ts_mesh_list leaf;      /* leaves that may be near enough */
-};
-/* The same as ts_mesh_tree_near, but faster for a sequence of points that are near each other. */
-enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
-				       const double x[3], double distance, struct ts_mesh_vicinity *vicinity,
-				       struct ts_mesh_list *list);
-
 #endif

@@ -115,7 +115,7 @@ struct search {
 	struct found *found;
 	size_t n, capacity;
 	struct ts_mesh_list list;
-	struct ts_mesh_vicinity *vicinity; /* [nmeshes]: nodes of the tree around the last particle */
+	struct ts_mesh_vicinity *vicinity; /* [nmeshes]: triangles around the last particle */
 	bool failed;			   /* out of memory */
 };
 
@@ -125,7 +125,7 @@ static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part
 	const struct ts_mesh *mesh = &part->surface->mesh;
 	struct ts_mesh_vicinity *v = &s->vicinity[what->mesh];
 
-	if (ts_mesh_tree_near_again(&part->tree, mesh, at, r, v, &s->list) != TS_OK ||
+	if (ts_mesh_vicinity_near(&part->tree, mesh, at, r, v, &s->list) != TS_OK ||
 	    TS_GROW(s->found, s->capacity, s->n + s->list.n) != TS_OK) {
 		s->failed = true;
 		return;
@@ -141,12 +141,11 @@ static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part
 }
 
 static void find_images(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t mesh, size_t i,
-			double reach, struct search *found)
+			double r, struct search *found)
 {
 	const struct ts_box *box = &sim->domain->box;
 	const struct ts_mesh_part_of_wall *part = &mw->mesh[mesh];
 	const double *x = sim->particles->xhold[i];
-	double r = sim->particles->radius[i] + sim->neigh->built_skin + reach;
 	struct found what = { .i = i, .mesh = (int32_t)mesh };
 	int range[3][2], *s = what.shift;
 
@@ -186,28 +185,84 @@ static bool is_candidate(const struct searching *s, size_t mesh, size_t i)
 		(s->w->observers[mesh] && ts_in_group(p, i, s->self->group)));
 }
 
+/* Distance from its centre up to which triangles are listed for particle i. */
+static double search_radius(const struct searching *s, size_t i)
+{
+	double radius = s->sim->particles->radius[i];
+	double reach = ts_wall_long_ranged(s->w, s->sim) ? ts_wall_reach(s->w, s->sim, radius) : 0;
+
+	return radius + s->sim->neigh->built_skin + fmax(s->w->look, reach);
+}
+
+/* Particles that follow each other in memory and are near each other, and the box of their centres. */
+struct tile {
+	size_t from, to;
+	double lo[3], hi[3], radius; /* the largest of their search radii */
+};
+enum { MOST_IN_TILE = 64 };
+
+static bool add_to_tile(const struct searching *s, struct tile *tile)
+{
+	const double *x = s->sim->particles->xhold[tile->to];
+	struct tile with = *tile;
+	bool fits = true;
+
+	with.radius = fmax(tile->radius, search_radius(s, tile->to));
+	for (int d = 0; d < 3; d++) {
+		with.lo[d] = fmin(tile->lo[d], x[d]);
+		with.hi[d] = fmax(tile->hi[d], x[d]);
+		fits &= with.hi[d] - with.lo[d] <= TS_MESH_VICINITY * with.radius;
+	}
+	if (!fits && tile->to > tile->from)
+		return false;
+	*tile = with;
+	tile->to++;
+	return true;
+}
+
+/* Searches triangles around particles of a tile. Periodic images of a mesh, if any, have vicinities of their own. */
+static void search_tile(const struct searching *s, const struct tile *tile, struct search *share)
+{
+	for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++) {
+		const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
+
+		share->failed = ts_mesh_vicinity_make(&part->tree, &part->surface->mesh, tile->lo, tile->hi,
+						      tile->radius, &share->vicinity[mesh]) != TS_OK;
+	}
+	for (size_t i = tile->from; i < tile->to; i++)
+		for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
+			if (is_candidate(s, mesh, i))
+				find_images(s->sim, s->mw, mesh, i, search_radius(s, i), share);
+}
+
+static void search_share(const struct searching *s, size_t from, size_t to, struct search *share)
+{
+	while (from < to && !share->failed) {
+		struct tile tile = { .from = from,
+				     .to = from,
+				     .lo = { INFINITY, INFINITY, INFINITY },
+				     .hi = { -INFINITY, -INFINITY, -INFINITY } };
+
+		while (tile.to < to && tile.to - from < MOST_IN_TILE && add_to_tile(s, &tile))
+			continue;
+		search_tile(s, &tile, share);
+		from = tile.to;
+	}
+}
+
 static void search_range(void *context, size_t from, size_t to)
 {
 	const struct searching *s = context;
-	const struct ts_particles *p = s->sim->particles;
-	size_t n = p->n;
-	bool pulls = ts_wall_long_ranged(s->w, s->sim);
+	size_t n = s->sim->particles->n;
 
 	for (size_t t = from; t < to; t++) {
 		struct search *share = &s->share[t];
 
 		share->vicinity = ts_alloc(s->mw->nmeshes, sizeof *share->vicinity);
 		share->failed = !share->vicinity;
-		for (size_t i = n * t / s->shares; i < n * (t + 1) / s->shares; i++)
-			for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
-				if (is_candidate(s, mesh, i))
-					find_images(s->sim, s->mw, mesh, i,
-						    fmax(s->w->look,
-							 pulls ? ts_wall_reach(s->w, s->sim, p->radius[i])
-							       : 0),
-						    share);
+		search_share(s, n * t / s->shares, n * (t + 1) / s->shares, share);
 		for (size_t mesh = 0; mesh < s->mw->nmeshes && share->vicinity; mesh++)
-			ts_free(share->vicinity[mesh].leaf.item);
+			ts_mesh_vicinity_release(&share->vicinity[mesh]);
 		ts_free(share->vicinity);
 	}
 }

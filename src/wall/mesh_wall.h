@@ -12,7 +12,7 @@
 
 #include "mesh/mesh_surface.h"
 #include "mesh/mesh_touch.h"
-#include "mesh/mesh_tree.h"
+#include "mesh/mesh_vicinity.h"
 #include "wall/wall.h"
 
 /* One of the wall's meshes. */

@@ -7,7 +7,7 @@
 #include "math/vec3.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_touch.h"
-#include "mesh/mesh_tree.h"
+#include "mesh/mesh_vicinity.h"
 
 /* A cuboid of 12 triangles, as corner numbers: bit 0 x, bit 1 y, bit 2 z. */
 static const int cuboid[12][3] = {
@@ -184,7 +184,7 @@ START_TEST(trees_find_the_same_again)
 		next_place(&seed, 0.2, x);
 		ts_add(from, x, x);
 		ck_assert(ts_mesh_tree_near(&tree, &m, x, distance, &once) == TS_OK);
-		ck_assert(ts_mesh_tree_near_again(&tree, &m, x, distance, &vicinity, &again) == TS_OK);
+		ck_assert(ts_mesh_vicinity_near(&tree, &m, x, distance, &vicinity, &again) == TS_OK);
 		ck_assert_uint_eq(once.n, again.n);
 		ck_assert(!once.n || !memcmp(once.item, again.item, once.n * sizeof *once.item));
 		found += once.n;
@@ -192,7 +192,7 @@ START_TEST(trees_find_the_same_again)
 	ck_assert_uint_gt(found, 300);
 	ts_free(once.item);
 	ts_free(again.item);
-	ts_free(vicinity.leaf.item);
+	ts_mesh_vicinity_release(&vicinity);
 	ts_mesh_tree_release(&tree);
 	ts_mesh_release(&m);
 }
