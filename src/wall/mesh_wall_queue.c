@@ -84,7 +84,6 @@ static void compute_triangle(const struct force_task *task, struct ts_wall_queue
 	struct ts_mesh_near *near = &task->mw->near[k];
 	const struct ts_mesh_surface *s = task->mw->mesh[near->mesh].surface;
 	size_t t = (size_t)near->triangle;
-	struct ts_wall_contact_point point;
 	struct ts_mesh_contact_point at;
 	enum ts_mesh_part part;
 	double x[3];
@@ -99,8 +98,8 @@ static void compute_triangle(const struct force_task *task, struct ts_wall_queue
 	near->check_travel = -INFINITY;
 	if (!near->touches)
 		return;
-	make_contact_point(task, near, &at, &point);
-	ts_wall_enqueue_contact(q, k, &point);
+	make_contact_point(task, near, &at, ts_wall_queue_next(q));
+	ts_wall_enqueue_contact(q, k, ts_wall_queue_next(q));
 }
 
 /* Adds the displacement of this step to the travel of the particle; whether one of its contacts may touch. */
@@ -145,17 +144,17 @@ static void compute_long_ranged(const struct force_task *task, struct ts_wall_qu
 	ts_mesh_places(task->sim, mw, v, ts_wall_reach(task->w, task->sim, v->radius));
 	for (size_t k = v->first; k < v->first + v->n; k++) {
 		struct ts_mesh_near *near = &mw->near[k];
-		struct ts_wall_contact_point point;
+		struct ts_wall_contact_point *point = ts_wall_queue_next(q);
 
 		near->check_travel =
 			v->travel + ts_mesh_wall_safe_travel(&mw->mesh[near->mesh].surface->mesh,
 							     near->triangle, mw->place[k].distance, begins);
-		near->touches = mw->place[k].own && continue_contact(task, q, v, k, &point);
+		near->touches = mw->place[k].own && continue_contact(task, q, v, k, point);
 		if (!near->touches)
 			continue;
 		near->check_travel = -INFINITY;
 		*ts_mesh_contact_exists(&task->w->contacts, k) = 1;
-		ts_wall_enqueue_contact(q, k, &point);
+		ts_wall_enqueue_contact(q, k, point);
 	}
 }
 

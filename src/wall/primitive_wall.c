@@ -470,24 +470,26 @@ static void compute_range(void *context, size_t from, size_t to)
 	const struct ts_primitive_wall *w = t->w;
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
-	struct ts_wall_contact_point point = { .type = w->type,
-					       .warm = !isnan(w->temperature),
-					       .temperature = w->temperature };
+	const struct ts_wall_contact_point all = { .type = w->type,
+						   .warm = !isnan(w->temperature),
+						   .temperature = w->temperature };
 	struct ts_wall_queue queue;
 
 	ts_wall_queue_start(&queue, t->wall, t->sim);
 	for (size_t k = from; k < to; k++) {
 		const double *x = p->x[c->row[k]];
+		struct ts_wall_contact_point *point = ts_wall_queue_next(&queue);
 
 		ts_wall_prefetch_ahead(c, p, k, to);
-		point.distance = ts_primitive_distance(&t->at[c->key[k][1]], x, point.n);
-		point.curvature = surface_curvature(w, point.n, x);
-		if (!ts_wall_touches(&queue, k, &point)) {
+		*point = all;
+		point->distance = ts_primitive_distance(&t->at[c->key[k][1]], x, point->n);
+		point->curvature = surface_curvature(w, point->n, x);
+		if (!ts_wall_touches(&queue, k, point)) {
 			ts_wall_contact_end(c, k);
 			continue;
 		}
-		surface_velocity(w, t->sim, x, point.velocity);
-		ts_wall_enqueue_contact(&queue, k, &point);
+		surface_velocity(w, t->sim, x, point->velocity);
+		ts_wall_enqueue_contact(&queue, k, point);
 	}
 	ts_wall_queue_end(&queue);
 }

@@ -303,19 +303,20 @@ static double contact_distance(const struct ts_wall *wall, const struct tsim *si
 static void compute_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w,
 			 size_t k, const struct ts_region_contact_point *on)
 {
-	struct ts_wall_contact_point point = { .type = (int)wall->type,
-					       .distance = on->distance,
-					       .curvature = on->curvature };
+	struct ts_wall_contact_point *point = ts_wall_queue_next(q);
 
+	*point = (struct ts_wall_contact_point){ .type = (int)wall->type,
+						 .distance = on->distance,
+						 .curvature = on->curvature };
 	for (int d = 0; d < 3; d++)
-		point.n[d] = on->n[d];
-	if (!ts_wall_touches(q, k, &point)) {
+		point->n[d] = on->n[d];
+	if (!ts_wall_touches(q, k, point)) {
 		ts_wall_contact_end(&wall->contacts, k);
 		return;
 	}
 	if (on->mover)
-		surface_velocity(w, on->mover, q->sim->particles->x[wall->contacts.row[k]], &point);
-	ts_wall_enqueue_contact(q, k, &point);
+		surface_velocity(w, on->mover, q->sim->particles->x[wall->contacts.row[k]], point);
+	ts_wall_enqueue_contact(q, k, point);
 }
 
 struct force_task {

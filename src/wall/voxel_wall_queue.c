@@ -266,20 +266,21 @@ static void compute_point(const struct force_task *t, struct ts_wall_queue *q, s
 	const struct ts_voxel_surface *s = t->vw->surface;
 	const struct ts_voxel_contact *from = &t->vw->at[at];
 	struct ts_wall_contacts *c = &t->w->contacts;
-	struct ts_wall_contact_point point = { .distance = from->distance,
-					       .type = (int)s->type,
-					       .mesh = 1,
-					       .triangle = (int)ts_voxel_column_index(t->vw->column[at]),
-					       .warm = !isnan(s->temperature),
-					       .temperature = s->temperature };
+	struct ts_wall_contact_point *point = ts_wall_queue_next(q);
 	size_t k = t->vw->slot[at];
 	double *own = ts_voxel_memory(c, k);
 
+	*point = (struct ts_wall_contact_point){ .distance = from->distance,
+						 .type = (int)s->type,
+						 .mesh = 1,
+						 .triangle = (int)ts_voxel_column_index(t->vw->column[at]),
+						 .warm = !isnan(s->temperature),
+						 .temperature = s->temperature };
 	for (int d = 0; d < 3; d++) {
-		point.n[d] = from->n[d];
-		point.velocity[d] = s->velocity[d];
+		point->n[d] = from->n[d];
+		point->velocity[d] = s->velocity[d];
 	}
-	if (!ts_wall_touches(q, k, &point)) {
+	if (!ts_wall_touches(q, k, point)) {
 		ts_wall_contact_end(c, k);
 		return;
 	}
@@ -287,8 +288,8 @@ static void compute_point(const struct force_task *t, struct ts_wall_queue *q, s
 	for (int d = 0; d < 3; d++)
 		own[TS_VOXEL_NORMAL + d] = from->n[d];
 	if (!isnan(s->winkler))
-		ts_voxel_foundation_yield(s, q, k, &point);
-	ts_wall_enqueue_contact(q, k, &point);
+		ts_voxel_foundation_yield(s, q, k, point);
+	ts_wall_enqueue_contact(q, k, point);
 }
 
 /* In the order of slots, in which the forces of a particle are summed. */

@@ -299,16 +299,16 @@ void ts_wall_start(struct ts_wall *w, struct tsim *sim)
 
 void ts_wall_finish(struct ts_wall *w)
 {
-	uint8_t *touching = w->contacts.touching;
+	const struct ts_wall_contacts *c = &w->contacts;
+	const uint8_t *inside = c->n ? memchr(c->touching, TS_TOUCH_INSIDE, c->n) : NULL;
+	double force[3];
 
-	w->inside = TS_WALL_NONE;
-	for (size_t k = 0; k < w->contacts.n; k++) {
-		if (!touching[k])
-			continue;
-		ts_sub(w->force, w->contacts.force[k], w->force);
-		if (touching[k] == TS_TOUCH_INSIDE && w->inside == TS_WALL_NONE)
-			w->inside = k;
-	}
+	/* without branches: the force of a contact that does not touch is 0 */
+	ts_scale(1, w->force, force);
+	for (size_t k = 0; k < c->n; k++)
+		ts_sub(force, c->force[k], force);
+	ts_scale(1, force, w->force);
+	w->inside = inside ? (size_t)(inside - c->touching) : TS_WALL_NONE;
 }
 
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)

@@ -373,7 +373,8 @@ void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_
 	}
 	if (ts_coincide(point->distance, q->sim->particles->radius[i]))
 		c->touching[k] = TS_TOUCH_INSIDE;
-	q->point[q->n] = *point;
+	if (point != &q->point[q->n])
+		q->point[q->n] = *point;
 	q->contact[q->n++] = k;
 	if (q->n == TS_BATCH)
 		ts_wall_queue_end(q);

@@ -29,6 +29,12 @@ static inline bool ts_wall_touches(const struct ts_wall_queue *q, size_t k,
 	return q->long_ranged ? ts_wall_in_range(q, k, point)
 			      : point->distance < q->sim->particles->radius[q->w->contacts.row[k]];
 }
+/* The place of the next contact point in the queue, which may be filled in before it is known whether the contact
+ * touches: a point that is made elsewhere is copied, and the copy waits for the stores. */
+static inline struct ts_wall_contact_point *ts_wall_queue_next(struct ts_wall_queue *q)
+{
+	return &q->point[q->n];
+}
 /* Queues contact k, which touches at this contact point: its force and torque act on the particle, the
  * opposite force on the wall. */
 void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point);
@@ -63,6 +69,13 @@ TS_INLINE void ts_wall_prefetch_particle(const struct ts_particles *p, size_t i,
 	if (p->torque)
 		ts_wall_prefetch(p->torque[i]);
 }
+/* The same for what is stored of contact k, which touches. */
+TS_INLINE void ts_wall_prefetch_contact(const struct ts_wall_contacts *c, size_t k)
+{
+	__builtin_prefetch(ts_wall_memory(c, k), 1);
+	__builtin_prefetch(&c->last[k], 1);
+	__builtin_prefetch(c->force[k], 1);
+}
 
 /* In a loop over contacts up to `end` that is at contact k: prefetches the particle of contact k +
  * TS_WALL_AHEAD. */
@@ -73,6 +86,8 @@ TS_INLINE void ts_wall_prefetch_ahead(const struct ts_wall_contacts *c, const st
 	size_t next = k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k;
 
 	ts_wall_prefetch_particle(p, (size_t)c->row[next], c->touching[next]);
+	if (c->touching[next])
+		ts_wall_prefetch_contact(c, next);
 }
 
 #endif
