@@ -58,15 +58,9 @@ static bool bpm_spring_tension(const void *coeff, const struct ts_bond_state *st
 	return holds;
 }
 
-TS_CLONES static long compute_batch(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
-				    const void *restrict coeff)
-{
-	return ts_bond_compute_batch(b, rest, n, coeff, bpm_spring_tension);
-}
-
 TS_CLONES static long compute(void *task, size_t from, size_t to)
 {
-	return ts_bond_compute_slices(task, from, to, compute_batch);
+	return ts_bond_compute_slices(task, from, to, bpm_spring_tension);
 }
 
 static bool damped(const void *coeff)

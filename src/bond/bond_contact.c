@@ -34,16 +34,9 @@ static bool contact_bond_tension(const void *coeff, const struct ts_bond_state *
 	return holds;
 }
 
-TS_CLONES static long compute_contact_bond_batch(struct ts_bond_batch *restrict b,
-						 const double *restrict rest, size_t n,
-						 const void *restrict coeff)
-{
-	return ts_bond_compute_batch(b, rest, n, coeff, contact_bond_tension);
-}
-
 TS_CLONES static long compute_contact_bonds(void *task, size_t from, size_t to)
 {
-	return ts_bond_compute_slices(task, from, to, compute_contact_bond_batch);
+	return ts_bond_compute_slices(task, from, to, contact_bond_tension);
 }
 
 static bool damped(const void *coeff)
