@@ -19,26 +19,50 @@ struct task {
 	int group;
 };
 
-/* By coordinate of a block: kick/m and kick_omega/I. */
+/* kick/m and kick_omega/I of a block: of all its particles, where these are equal, or by coordinate. */
 struct factors {
+	bool equal;
+	double of_all[2];
 	double kick[3 * BLOCK], kick_omega[3 * BLOCK];
 	int64_t in[3 * BLOCK]; /* 1: the particle is in the group; not set if all are */
 };
 
+/* Whether the particles have the same mass and radius. */
+TS_INLINE bool all_equal(const double *restrict mass, const double *restrict radius, size_t n)
+{
+	int64_t others = 0;
+
+#pragma omp simd reduction(+ : others)
+	for (size_t i = 0; i < n; i++)
+		others += (mass[i] != mass[0]) | (radius[i] != radius[0]);
+	return others == 0;
+}
+
+TS_INLINE double kick_omega_of(const struct task *t, double mass, double radius)
+{
+	return t->step.kick_omega / mass / (t->inertia * radius * radius);
+}
+
+/* Divisions take more time than all the rest of a loop: equal particles share them. */
 TS_INLINE void make_factors(const struct task *t, size_t from, size_t n, struct factors *f)
 {
-	const double *mass = t->p->mass + from, *radius = t->p->radius + from;
-	double kick = t->step.kick, kick_omega = t->step.kick_omega, inertia = t->inertia;
+	const double *restrict mass = t->p->mass + from, *restrict radius = t->p->radius + from;
+	const struct task s = *t;
 
+	f->equal = all_equal(mass, radius, n);
+	f->of_all[0] = s.step.kick / mass[0];
+	f->of_all[1] = kick_omega_of(&s, mass[0], radius[0]);
+	if (f->equal)
+		return;
 #pragma omp simd
 	for (size_t i = 0; i < n; i++)
-		f->kick[3 * i] = f->kick[3 * i + 1] = f->kick[3 * i + 2] = kick / mass[i];
-	if (!(kick_omega != 0))
+		f->kick[3 * i] = f->kick[3 * i + 1] = f->kick[3 * i + 2] = s.step.kick / mass[i];
+	if (!(s.step.kick_omega != 0))
 		return;
 #pragma omp simd
 	for (size_t i = 0; i < n; i++)
 		f->kick_omega[3 * i] = f->kick_omega[3 * i + 1] = f->kick_omega[3 * i + 2] =
-			kick_omega / mass[i] / (inertia * radius[i] * radius[i]);
+			kick_omega_of(&s, mass[i], radius[i]);
 }
 
 TS_INLINE void find_members(const struct task *t, size_t from, size_t n, struct factors *f)
@@ -63,7 +87,7 @@ TS_INLINE void add_scaled(double *restrict to, const double *restrict from, cons
 	}
 }
 
-TS_INLINE void advance_block(const struct task *t, size_t from, size_t n, const struct factors *f,
+TS_INLINE void advance_block(const struct task *t, size_t from, size_t n, const struct factors *f, bool equal,
 			     const int64_t *in)
 {
 	const struct ts_particles *p = t->p;
@@ -72,9 +96,10 @@ TS_INLINE void advance_block(const struct task *t, size_t from, size_t n, const 
 	if (s->drift_first != 0)
 		add_scaled(p->x[from], p->v[from], NULL, s->drift_first, in, 3 * n);
 	if (s->kick != 0)
-		add_scaled(p->v[from], p->f[from], f->kick, 0, in, 3 * n);
+		add_scaled(p->v[from], p->f[from], equal ? NULL : f->kick, f->of_all[0], in, 3 * n);
 	if (s->kick_omega != 0)
-		add_scaled(p->omega[from], p->torque[from], f->kick_omega, 0, in, 3 * n);
+		add_scaled(p->omega[from], p->torque[from], equal ? NULL : f->kick_omega, f->of_all[1], in,
+			   3 * n);
 	if (s->drift != 0)
 		add_scaled(p->x[from], p->v[from], NULL, s->drift, in, 3 * n);
 }
@@ -85,7 +110,10 @@ static void advance_all(const struct task *t, size_t from, size_t n)
 	struct factors f;
 
 	make_factors(t, from, n, &f);
-	advance_block(t, from, n, &f, NULL);
+	if (f.equal)
+		advance_block(t, from, n, &f, true, NULL);
+	else
+		advance_block(t, from, n, &f, false, NULL);
 }
 
 TS_CLONES
@@ -95,7 +123,7 @@ static void advance_members(const struct task *t, size_t from, size_t n)
 
 	find_members(t, from, n, &f);
 	make_factors(t, from, n, &f);
-	advance_block(t, from, n, &f, f.in);
+	advance_block(t, from, n, &f, f.equal, f.in);
 }
 
 static void advance_share(void *context, size_t from, size_t to)
