@@ -1232,6 +1232,8 @@ library_sources = \
 	src/rigid/fix_rigid.c \
 	src/rigid/rigid.c \
 	src/rigid/rigid.h \
+	src/rigid/rigid_batch.c \
+	src/rigid/rigid_batch.h \
 	src/rigid/rigid_motion.c \
 	src/rigid/rigid_motion.h \
 	src/rigid/rigid_system.c \

@@ -3,12 +3,13 @@
 #ifndef TS_MATH_RIGID_TURN_H
 #define TS_MATH_RIGID_TURN_H
 
+#include "base/inline.h"
 #include "math/quaternion.h"
 #include "math/vec3.h"
 
 /* omega = R I^-1 R^T L with the principal moments I; 0 about axes without moment of inertia. spin: L. */
-static inline void ts_rigid_omega(const double q[4], const double inertia[3], const double spin[3],
-				  double omega[3])
+TS_INLINE void ts_rigid_omega(const double q[4], const double inertia[3], const double spin[3],
+			      double omega[3])
 {
 	double m[3][3], body[3];
 
@@ -20,8 +21,8 @@ static inline void ts_rigid_omega(const double q[4], const double inertia[3], co
 }
 
 /* L = R I R^T omega. spin: L. */
-static inline void ts_rigid_angular_momentum(const double q[4], const double inertia[3],
-					     const double omega[3], double spin[3])
+TS_INLINE void ts_rigid_angular_momentum(const double q[4], const double inertia[3], const double omega[3],
+					 double spin[3])
 {
 	double m[3][3], body[3];
 
@@ -32,7 +33,7 @@ static inline void ts_rigid_angular_momentum(const double q[4], const double ine
 	ts_rotate(m, body, spin);
 }
 
-static inline void ts_rigid_rotate_by(const double omega[3], double dt, double q[4])
+TS_INLINE void ts_rigid_rotate_by(const double omega[3], double dt, double q[4])
 {
 	double rate[4];
 
@@ -45,8 +46,8 @@ static inline void ts_rigid_rotate_by(const double omega[3], double dt, double q
 /* Orientation after the time dt at constant L: one full step and two half steps, combined by Richardson
  * extrapolation 2 half - full to second order. `omega` is the angular velocity at the start, and is set
  * to that at mid-step. */
-static inline void ts_rigid_advance_orientation(const double inertia[3], const double spin[3],
-						double omega[3], double dt, double q[4])
+TS_INLINE void ts_rigid_advance_orientation(const double inertia[3], const double spin[3], double omega[3],
+					    double dt, double q[4])
 {
 	double half[4] = { q[0], q[1], q[2], q[3] }, rate[4];
 

@@ -3,95 +3,38 @@
 
 #include <string.h>
 
+#include "base/parallel.h"
 #include "core/report.h"
-#include "math/rigid_turn.h"
-#include "rigid/rigid_motion.h"
+#include "rigid/rigid_batch.h"
 
 #include "base/banned.h"
 
-/* Sets velocities of the members; their positions are up to date. */
-static void set_member_velocities(struct tsim *sim, size_t b)
-{
-	const struct ts_rigid *r = sim->rigid;
-	const struct ts_body *body = &r->body[b];
-	struct ts_particles *p = sim->particles;
-	double m[3][3], arm[3], turn[3];
-
-	ts_quaternion_matrix(body->q, m);
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
-		size_t i = (size_t)r->member[k];
-
-		ts_rotate(m, p->body_x[i], arm);
-		ts_cross(body->omega, arm, turn);
-		ts_add(body->v, turn, p->v[i]);
-		memcpy(p->omega[i], body->omega, sizeof body->omega);
-	}
-}
-
-/* Sums forces and torques of the members, T += arm x F, and sets those of constrained directions to 0. */
-static void sum_forces(struct tsim *sim, size_t b)
-{
-	const struct ts_rigid *r = sim->rigid;
-	const struct ts_particles *p = sim->particles;
-	struct ts_body *body = &r->body[b];
-	double m[3][3], arm[3], turn[3];
-
-	memcpy(body->force, body->external, sizeof body->force);
-	memset(body->torque, 0, sizeof body->torque);
-	ts_quaternion_matrix(body->q, m);
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
-		size_t i = (size_t)r->member[k];
-
-		ts_rotate(m, p->body_x[i], arm);
-		ts_cross(arm, p->f[i], turn);
-		ts_add(body->force, p->f[i], body->force);
-		ts_add(turn, p->torque[i], turn);
-		ts_add(body->torque, turn, body->torque);
-	}
-	for (int k = 0; k < 3; k++) {
-		body->force[k] *= body->free[k];
-		body->torque[k] *= body->free[3 + k];
-	}
-}
-
 /* ---- the stages: all work on a body and its members in one pass */
 
-static void begin_step(struct tsim *sim, size_t b)
+static void begin_step(void *context, size_t from, size_t to)
 {
-	struct ts_rigid *r = sim->rigid;
-	double dt = sim->clock.dt;
-
-	ts_body_kick(&r->body[b], 0.5 * dt);
-	ts_body_move(&r->body[b], dt);
-	ts_rigid_place(sim, &r->body[b], r->member + r->start[b], r->start[b + 1] - r->start[b]);
+	ts_rigid_begin_bodies(context, from, to);
 }
 
-static void end_step(struct tsim *sim, size_t b)
+static void end_step(void *context, size_t from, size_t to)
 {
-	sum_forces(sim, b);
-	ts_body_kick(&sim->rigid->body[b], 0.5 * sim->clock.dt);
-	set_member_velocities(sim, b);
+	ts_rigid_end_bodies(context, from, to);
 }
 
-/* Bodies are stored in the order of their ids, but processed in the order of their members in memory:
- * they are prefetched this number of bodies ahead. */
-enum { PREFETCH_AHEAD = 4 };
+static void sum_forces(void *context, size_t from, size_t to)
+{
+	struct tsim *sim = context;
 
-static enum ts_status for_each_body(struct tsim *sim, void (*work)(struct tsim *sim, size_t b))
+	for (size_t k = from; k < to; k++)
+		ts_rigid_sum_forces(sim, (size_t)sim->rigid->order[k]);
+}
+
+static enum ts_status for_each_body(struct tsim *sim, ts_range_fn *work)
 {
 	const struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_rigid_list(sim));
-#pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
-	for (size_t k = 0; k < r->ordered; k++) {
-		const char *next =
-			(const char *)&r
-				->body[r->order[k + PREFETCH_AHEAD < r->ordered ? k + PREFETCH_AHEAD : k]];
-
-		for (size_t line = 0; line < sizeof *r->body; line += 64)
-			__builtin_prefetch(next + line, 1);
-		work(sim, (size_t)r->order[k]);
-	}
+	ts_parallel(ts_team(sim, r->n), r->ordered, work, sim);
 	return TS_OK;
 }
 
