@@ -226,7 +226,8 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t pa
 		begin_outer_points(ib, fluid, c, dt);
 	}
 	for (int m = 0; m < iterations && ib->nouter; m++) {
-		ts_fluid_fill_velocity(fluid, fluid->u);
+		if (ib->reads_ghosts)
+			ts_fluid_fill_velocity(fluid, fluid->u);
 		for (int c = 0; c < dimensions; c++)
 			force_outer_points(ib, fluid, c);
 	}

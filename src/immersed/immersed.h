@@ -85,6 +85,7 @@ struct ts_immersed {
 	size_t sums_capacity;
 	size_t inside;		   /* number of points inside solids */
 	double thickness;	   /* thickness of the solid in cells: twice the largest depth of a point */
+	bool reads_ghosts;	   /* samples lie beside boundaries, or a body reaches the end of the grid */
 	double rate;		   /* largest velocity of a solid by spacing (cells/time) */
 	double first_dt;	   /* dt of the first stage of this substep; 0: it has not begun */
 	struct ts_immersed *chunk; /* work memory: the points each thread has found, */

@@ -202,6 +202,7 @@ static void find_sample(const struct search *s, const double x[3], const double 
 			continue;
 		i[d] -= d != s->component && y < line[i[d]];
 		out->t[d] = (y - line[i[d]]) / (line[i[d] + 1] - line[i[d]]);
+		s->ib->reads_ghosts |= i[d] < 1 || i[d] + 2 > grid->n[d] - 1;
 	}
 	out->corner = ts_at(grid, i[0], i[1], i[2]);
 	out->index = i[s->component];
@@ -376,6 +377,7 @@ static void search_chunks(void *context, size_t from, size_t to)
 		s.parallel = true;
 		s.worker = k;
 		s.ib->npoints = s.ib->nouter = 0;
+		s.ib->reads_ghosts = false;
 		s.ib->status = search_rows(&s, task->rows * k / chunks, task->rows * (k + 1) / chunks);
 	}
 }
@@ -386,6 +388,7 @@ static enum ts_status append_chunk(struct search *s, const struct ts_immersed *c
 	size_t band = 0;
 
 	TS_TRY(chunk->status);
+	ib->reads_ghosts |= chunk->reads_ghosts;
 	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + chunk->npoints));
 	TS_TRY(TS_GROW(ib->outer, ib->outer_capacity, ib->nouter + chunk->nouter));
 	for (size_t k = 0; k < chunk->npoints; k++) {
@@ -461,6 +464,7 @@ enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *
 
 	TS_TRY(allocate_scratch(ib, solid, &fluid->grid));
 	ib->npoints = ib->nouter = ib->inside = 0;
+	ib->reads_ghosts = false;
 	ib->thickness = ib->rate = 0;
 	for (int c = 0; c < 3; c++) {
 		ib->first[c] = ib->npoints;

@@ -75,6 +75,8 @@ static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t
 	(void)worker;
 	surface_point->distance = length - s->particles->radius[s->row[part]];
 	*side = fabs(surface_point->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
+	if (*side == TS_SOLID_FAR)
+		return TS_OK;
 	if (length > 0)
 		ts_scale(1 / length, surface_point->n, surface_point->n);
 	else
