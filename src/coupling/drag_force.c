@@ -169,19 +169,20 @@ static enum ts_status allocate_work(struct ts_drag *s, struct tsim *sim)
 
 	TS_TRY(ts_particle_tally_start(sim, &s->total));
 	s->nexchange = 0;
-	if (s->scheme != TS_DRAG_EXPLICIT) {
-		if (TS_GROW(s->relaxation, s->relaxation_capacity, n) != TS_OK)
-			return ts_nomem(&sim->error);
-		if (n)
-			memset(s->relaxation, 0, n * sizeof *s->relaxation);
-	}
+	if (s->scheme != TS_DRAG_EXPLICIT && TS_GROW(s->relaxation, s->relaxation_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
 	if (!s->fluid || !s->two_way)
 		return TS_OK;
-	if (TS_GROW(s->exchange, s->exchange_capacity, n) != TS_OK)
-		return ts_nomem(&sim->error);
-	if (n)
-		memset(s->exchange, 0, n * sizeof *s->exchange);
-	return TS_OK;
+	return TS_GROW(s->exchange, s->exchange_capacity, n) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+/* Called with each particle just before its numbers are set, so that they are in the cache. */
+static inline void clear_work(struct ts_drag *s, size_t i)
+{
+	if (s->scheme != TS_DRAG_EXPLICIT)
+		s->relaxation[i] = (struct ts_drag_relaxation){ .c = 0 };
+	if (s->fluid && s->two_way)
+		s->exchange[i] = (struct ts_drag_exchange){ .slope = { 0 } };
 }
 
 static enum ts_status pass_to_fluid(struct ts_instance *self, struct tsim *sim)
@@ -211,6 +212,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 		struct ts_slip slip = { .density = density, .viscosity = viscosity };
 		struct drag_diagnostics found = { 0, 0, false };
 
+		clear_work(s, i);
 		if (!ts_in_group(p, i, self->group))
 			continue;
 		apply_drag(self, sim, i, &slip, &found);

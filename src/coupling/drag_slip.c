@@ -12,13 +12,6 @@
 
 const char *const ts_drag_axes[] = { "x", "y", "z", "xy", "xz", "yz", "xyz", NULL };
 
-bool ts_drag_acts_along(const struct ts_drag *drag, int k)
-{
-	static const int bits[] = { 1, 2, 4, 3, 5, 6, 7 };
-
-	return bits[drag->axes] >> k & 1;
-}
-
 static double local_void_fraction(const struct ts_drag *s, const double place[3], const int cell[3])
 {
 	const struct ts_fluid *fluid = s->fluid;
@@ -86,6 +79,8 @@ double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 
+	if (!s->added.n)
+		return p->mass[i];
 	return p->mass[i] + ts_added_mass_density(&s->added, p, i) * ts_particle_volume(sim, p->radius[i]);
 }
 

@@ -5,7 +5,12 @@
 #include "coupling/drag_force.h"
 
 /* Whether the drag acts along axis k (keyword axes). */
-bool ts_drag_acts_along(const struct ts_drag *drag, int k);
+static inline bool ts_drag_acts_along(const struct ts_drag *drag, int k)
+{
+	static const int bits[] = { 1, 2, 4, 3, 5, 6, 7 };
+
+	return bits[drag->axes] >> k & 1;
+}
 /* Whether forces do not change the velocity of particle i: it is frozen or no fix integrates it. (With an
  * outside program attached, particles without such a fix are not counted: the program may move them.) */
 bool ts_drag_motion_prescribed(const struct ts_drag *drag, const struct tsim *sim, size_t i);

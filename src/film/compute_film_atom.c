@@ -26,8 +26,7 @@ static void sample(const struct ts_instance *flow, const double x[3], double *ro
 	struct ts_film_point point;
 	double z, slope[2];
 
-	ts_film_sample(&f->film, x, &point);
-	ts_film_interpolate(&f->film, f->bottom, x, &z, slope);
+	ts_film_sample_with(&f->film, f->bottom, x, &point, &z, slope);
 	row[0] = point.p;
 	row[1] = point.gap;
 	row[2] = (x[2] - z) / point.gap;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/inline.h"
 #include "film/internal.h"
 
 #include "base/banned.h"
@@ -33,33 +34,42 @@ static int find_cell(const struct ts_film *f, int axis, double x)
 	return low;
 }
 
-static struct place find_place(const struct ts_film *f, int axis, double x)
+/* Indices are at most one beyond the ends. */
+static inline int wrap_index(int i, int n)
+{
+	return i < 0 ? n - 1 : i >= n ? 0 : i;
+}
+
+TS_INLINE void find_place(const struct ts_film *f, int axis, double x, struct place *at)
 {
 	int n = f->n[axis], other;
 	const double *face = f->face[axis];
-	struct place at = { .x = fmin(fmax(x, face[0]), face[n]) };
-	double centre, period = face[n] - face[0], next;
+	double centre, period = face[n] - face[0], next, away;
 	bool above;
 
-	at.cell = find_cell(f, axis, at.x);
-	centre = ts_film_centre(f, axis, at.cell);
-	above = at.x >= centre;
-	other = at.cell + (above ? 1 : -1);
-	at.near[0] = at.near[1] = at.cell;
-	at.weight[0] = 1;
+	at->x = x > face[0] ? x < face[n] ? x : face[n] : face[0];
+	at->cell = find_cell(f, axis, at->x);
+	centre = ts_film_centre(f, axis, at->cell);
+	above = at->x >= centre;
+	other = at->cell + (above ? 1 : -1);
+	at->near[0] = at->near[1] = at->cell;
+	at->weight[0] = 1;
+	at->weight[1] = at->apart = 0;
 	if (f->edge[axis][0] == TS_FILM_PERIODIC)
-		next = ts_film_centre(f, axis, (other + n) % n) + (other < 0	? -period
-								   : other >= n ? period
-										: 0);
+		next = ts_film_centre(f, axis, wrap_index(other, n)) + (other < 0    ? -period
+									: other >= n ? period
+										     : 0);
 	else if (other >= 0 && other < n)
 		next = ts_film_centre(f, axis, other);
 	else
-		return at;
-	at.near[above] = (other + n) % n;
-	at.apart = fabs(next - centre);
-	at.weight[1 - above] = 1 - fabs(at.x - centre) / at.apart;
-	at.weight[above] = fabs(at.x - centre) / at.apart;
-	return at;
+		return;
+	other = wrap_index(other, n);
+	at->apart = fabs(next - centre);
+	away = fabs(at->x - centre) / at->apart;
+	at->near[0] = above ? at->cell : other;
+	at->near[1] = above ? other : at->cell;
+	at->weight[0] = above ? 1 - away : away;
+	at->weight[1] = above ? away : 1 - away;
 }
 
 static double interpolate(const struct ts_film *f, const double *field, const struct place at[2])
@@ -165,11 +175,18 @@ static void sample_field(const struct ts_film *f, const double *field, const str
 	}
 }
 
+TS_INLINE void find_places(const struct ts_film *f, const double x[2], struct place at[2])
+{
+	find_place(f, 0, x[0], &at[0]);
+	find_place(f, 1, x[1], &at[1]);
+}
+
 void ts_film_interpolate(const struct ts_film *f, const double *field, const double x[2], double *value,
 			 double slope[2])
 {
-	const struct place at[2] = { find_place(f, 0, x[0]), find_place(f, 1, x[1]) };
+	struct place at[2];
 
+	find_places(f, x, at);
 	sample_field(f, field, at, value, slope);
 }
 
@@ -184,9 +201,8 @@ static void sample_gap(const struct ts_film *f, const struct place at[2], struct
 		out->gap = least;
 }
 
-void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_point *out)
+static void sample_places(const struct ts_film *f, const struct place at[2], struct ts_film_point *out)
 {
-	const struct place at[2] = { find_place(f, 0, x[0]), find_place(f, 1, x[1]) };
 	size_t c = ts_film_at(f, at[0].cell, at[1].cell);
 
 	out->p = touches_solid(f, at) ? f->p[c] : interpolate(f, f->p, at);
@@ -208,6 +224,24 @@ void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_p
 		if (ts_film_slips(f))
 			add_slip(f, axis, rate, out);
 	}
+}
+
+void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_point *out)
+{
+	struct place at[2];
+
+	find_places(f, x, at);
+	sample_places(f, at, out);
+}
+
+void ts_film_sample_with(const struct ts_film *f, const double *field, const double x[2],
+			 struct ts_film_point *out, double *value, double slope[2])
+{
+	struct place at[2];
+
+	find_places(f, x, at);
+	sample_places(f, at, out);
+	sample_field(f, field, at, value, slope);
 }
 
 /* With S = int_h1^z u dz = h (f1 U1 + f2 U2) + f3 (q - h (U1 + U2)/2), div q = -dh/dt and grad s = -(grad h1 + s

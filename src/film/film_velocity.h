@@ -25,6 +25,10 @@ void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_p
 void ts_film_interpolate(const struct ts_film *f, const double *field, const double x[2], double *value,
 			 double slope[2]);
 
+/* Both at once. */
+void ts_film_sample_with(const struct ts_film *f, const double *field, const double x[2],
+			 struct ts_film_point *out, double *value, double slope[2]);
+
 /* Velocity at the height z = h1 + s h, 0 <= s <= 1: along the film Couette flow and a parabola,
  *   u = U1 (1 - s) + U2 s + 6 s (1 - s) (mean - (U1 + U2)/2),
  * U1 and U2 those of the fluid at the surfaces, and across it w, for which div u = 0 and with which the fluid follows the

@@ -29,8 +29,7 @@ static void velocity(const struct ts_instance *self, const double x[3], double u
 	struct ts_film_point point;
 	double z, slope[2], rate;
 
-	ts_film_sample(&flow->film, x, &point);
-	ts_film_interpolate(&flow->film, flow->bottom, x, &z, slope);
+	ts_film_sample_with(&flow->film, flow->bottom, x, &point, &z, slope);
 	rate = lower->now[2];
 	if (!lower->stays)
 		rate -= lower->now[0] * slope[0] + lower->now[1] * slope[1];
