@@ -38,6 +38,7 @@ static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *o
 }
 
 /* div(e u) + de/dt. */
+TS_CLONES
 static void divergence_row_void(const struct ts_fluid *fluid, int j, int k, double *out)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -49,8 +50,15 @@ static void divergence_row_void(const struct ts_fluid *fluid, int j, int k, doub
 		const double *width = grid->width[d] + (d == 1 ? j : d == 2 ? k : 0);
 		const ptrdiff_t s = grid->stride[d];
 
+		if (d == 0) {
+#pragma omp simd
+			for (int i = 0; i < grid->n[0]; i++)
+				out[i] += (e[i + s] * u[i + s] - e[i] * u[i]) / width[i];
+			continue;
+		}
+#pragma omp simd
 		for (int i = 0; i < grid->n[0]; i++)
-			out[i] += (e[i + s] * u[i + s] - e[i] * u[i]) / width[d == 0 ? i : 0];
+			out[i] += (e[i + s] * u[i + s] - e[i] * u[i]) / width[0];
 	}
 }
 
@@ -79,6 +87,30 @@ static void make_right_hand_side(const struct ts_projection *p, double scale, do
 	}
 }
 
+/* The same with a weight w of the faces, and their void fraction (NULL: 1). */
+TS_CLONES
+static void subtract_weighted_row(const double *weight, const double *e, const double *p, ptrdiff_t s,
+				  const double *gap, bool along, double factor, double *u, int n)
+{
+	if (along && e) {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			u[i] -= factor * weight[i] / e[i] * (p[i] - p[i - s]) / gap[i];
+	} else if (e) {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			u[i] -= factor * weight[i] / e[i] * (p[i] - p[i - s]) / gap[0];
+	} else if (along) {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			u[i] -= factor * weight[i] * (p[i] - p[i - s]) / gap[i];
+	} else {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			u[i] -= factor * weight[i] * (p[i] - p[i - s]) / gap[0];
+	}
+}
+
 /* u -= factor grad p on the faces of component c where the velocity is not given. With an exchange
  * coefficient the factor is multiplied by weight/void fraction of the face. */
 TS_CLONES
@@ -87,30 +119,25 @@ static void subtract_gradient_row(const struct ts_projection *projection, const 
 {
 	const struct ts_fluid *fluid = &projection->fluid;
 	const struct ts_grid *grid = &fluid->grid;
-	const bool weighs = fluid->exchange[c] || ts_projection_conservative(projection);
-	const double *weight = weighs ? projection->weight[c] : NULL;
-	const size_t at = ts_at(grid, 0, j, k);
+	const size_t at = ts_at(grid, from, j, k);
 	const ptrdiff_t s = grid->stride[c];
-	const double *p = pressure + at, *gap = grid->gap[0];
+	const double *p = pressure + at, *gap = grid->gap[c] + (c == 0 ? from : c == 1 ? j : k);
+	const int n = to - from;
 	double *u = fluid->u[c] + at;
 
-	if (weight) {
+	if (fluid->exchange[c] || ts_projection_conservative(projection)) {
 		const double *e = fluid->void_fraction_face[c];
 
-		for (int i = from; i < to; i++)
-			u[i] -= factor * weight[at + (size_t)i] / (e ? e[at + (size_t)i] : 1) *
-				(p[i] - p[i - s]) /
-				grid->gap[c][c == 0   ? i
-					     : c == 1 ? j
-						      : k];
+		subtract_weighted_row(projection->weight[c] + at, e ? e + at : NULL, p, s, gap, c == 0,
+				      factor, u, n);
 	} else if (c == 0) {
 #pragma omp simd
-		for (int i = from; i < to; i++)
+		for (int i = 0; i < n; i++)
 			u[i] -= factor * (p[i] - p[i - 1]) / gap[i];
 	} else {
-		factor /= grid->gap[c][c == 1 ? j : k];
+		factor /= gap[0];
 #pragma omp simd
-		for (int i = from; i < to; i++)
+		for (int i = 0; i < n; i++)
 			u[i] -= factor * (p[i] - p[i - s]);
 	}
 }

@@ -43,14 +43,26 @@ static struct row_diagnostics diagnose_row(const struct ts_fluid *fluid, double 
 	return (struct row_diagnostics){ speed, change, !(not_a_number == 0) };
 }
 
-static double largest_divergence(const struct ts_fluid *fluid, int j, int k, double *row)
+TS_CLONES
+static double largest_size(const double *row, int n)
 {
 	double most = 0;
 
-	ts_flow_divergence_row(fluid, j, k, row);
-	for (int i = 0; i < fluid->grid.n[0]; i++)
+#pragma omp simd reduction(max : most)
+	for (int i = 0; i < n; i++)
 		most = fabs(row[i]) > most ? fabs(row[i]) : most;
 	return most;
+}
+
+/* The divergence is not kept: rows of usual length are computed in memory that stays in the cache. */
+static double largest_divergence(const struct ts_projection *p, int j, int k)
+{
+	enum { USUAL = 512 };
+	const struct ts_grid *grid = &p->fluid.grid;
+	double usual[USUAL], *row = grid->n[0] > USUAL ? p->rhs + ts_at(grid, 0, j, k) : usual;
+
+	ts_flow_divergence_row(&p->fluid, j, k, row);
+	return largest_size(row, grid->n[0]);
 }
 
 /* Tolerance for round-off of a step at the limit. */
@@ -152,7 +164,7 @@ enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim
 		speed = fmax(speed, row.speed);
 		change = fmax(change, row.change);
 		broken |= row.broken;
-		divergence = fmax(divergence, largest_divergence(fluid, j, k, p->rhs + ts_at(grid, 0, j, k)));
+		divergence = fmax(divergence, largest_divergence(p, j, k));
 	}
 	fluid->courant = speed * dt;
 	fluid->residual = change / dt;
