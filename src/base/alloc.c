@@ -1,6 +1,7 @@
 #include "base/alloc.h"
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,41 +51,46 @@ void ts_alloc_tune(void)
 #endif
 }
 
-/* Blocks have no header, so aligned blocks can be freed like any other. */
-static void *allocate_zeroed(size_t n, size_t size, size_t alignment)
+static bool countable(size_t n, size_t size)
 {
-	void *p;
-	size_t bytes;
+	return !must_fail() && !(size && n > (SIZE_MAX - CACHE_LINE) / size);
+}
 
-	if (must_fail() || (size && n > (SIZE_MAX - CACHE_LINE) / size))
-		return NULL;
-	bytes = n && size ? n * size : 1;
-	if (alignment) {
-		/* see ts_alloc_aligned */
-		bytes = round_up_to_page((bytes / alignment + 1) * alignment);
-		/* if the heap cannot grow, a mapped block may still be possible */
-		if (posix_memalign(&p, bytes >= LARGE ? LARGE_PAGE : alignment, bytes) != 0 &&
-		    (bytes > MAPPED || posix_memalign(&p, alignment, MAPPED) != 0))
-			p = NULL;
-		request_large_pages(p, bytes);
-		if (p)
-			memset(p, 0, bytes);
-	} else {
-		p = calloc(bytes, 1);
-	}
+void *ts_alloc(size_t n, size_t size)
+{
+	void *p = countable(n, size) ? calloc(n && size ? n * size : 1, 1) : NULL;
+
 	if (p)
 		atomic_fetch_add_explicit(&live_blocks, 1, memory_order_relaxed);
 	return p;
 }
 
-void *ts_alloc(size_t n, size_t size)
+/* Blocks have no header, so aligned blocks can be freed like any other. *bytes: the size of the block. */
+static void *allocate_aligned(size_t n, size_t size, size_t *bytes)
 {
-	return allocate_zeroed(n, size, 0);
+	void *p;
+
+	if (!countable(n, size))
+		return NULL;
+	/* see ts_alloc_aligned */
+	*bytes = round_up_to_page(((n && size ? n * size : 1) / CACHE_LINE + 1) * CACHE_LINE);
+	/* if the heap cannot grow, a mapped block may still be possible */
+	if (posix_memalign(&p, *bytes >= LARGE ? LARGE_PAGE : CACHE_LINE, *bytes) != 0 &&
+	    (*bytes > MAPPED || posix_memalign(&p, CACHE_LINE, MAPPED) != 0))
+		return NULL;
+	request_large_pages(p, *bytes);
+	atomic_fetch_add_explicit(&live_blocks, 1, memory_order_relaxed);
+	return p;
 }
 
 void *ts_alloc_aligned(size_t n, size_t size)
 {
-	return allocate_zeroed(n, size, CACHE_LINE);
+	size_t bytes;
+	void *p = allocate_aligned(n, size, &bytes);
+
+	if (p)
+		memset(p, 0, bytes);
+	return p;
 }
 
 char *ts_strdup(const char *s)
@@ -143,19 +149,38 @@ enum ts_status ts_grow_text(char **text, size_t *capacity, size_t need)
 	return TS_OK;
 }
 
-enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size)
+/* *bytes: the size of a new block, 0: the old one is large enough. */
+static enum ts_status renew(void **array, size_t *capacity, size_t need, size_t size, size_t *bytes)
 {
 	size_t bigger = need + need / 16 + 8;
 
+	*bytes = 0;
 	if (need <= *capacity)
 		return TS_OK;
 	ts_free(*array);
 	*capacity = 0;
-	*array = ts_alloc_aligned(bigger, size);
+	*array = allocate_aligned(bigger, size, bytes);
 	if (!*array)
 		return TS_NOMEM;
 	*capacity = bigger;
 	return TS_OK;
+}
+
+enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size)
+{
+	size_t bytes;
+
+	TS_TRY(renew(array, capacity, need, size, &bytes));
+	if (bytes)
+		memset(*array, 0, bytes);
+	return TS_OK;
+}
+
+enum ts_status ts_renew_unset(void **array, size_t *capacity, size_t need, size_t size)
+{
+	size_t bytes;
+
+	return renew(array, capacity, need, size, &bytes);
 }
 
 long ts_alloc_balance(void)

@@ -30,6 +30,11 @@ enum ts_status ts_grow_text(char **text, size_t *capacity, size_t need);
 /* As ts_grow, but the contents are lost, and little more memory than needed is allocated. */
 enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size);
 #define TS_RENEW(array, capacity, need) ts_renew((void **)&(array), &(capacity), (need), sizeof *(array))
+/* The same for arrays whose elements are written before they are read: they are not set, so that spare capacity takes
+ * no memory and each byte is written once. */
+enum ts_status ts_renew_unset(void **array, size_t *capacity, size_t need, size_t size);
+#define TS_RENEW_UNSET(array, capacity, need) \
+	ts_renew_unset((void **)&(array), &(capacity), (need), sizeof *(array))
 
 /* For the program, not the library: large blocks are returned to the system when they are freed, which
  * avoids fragmentation. */

@@ -28,7 +28,7 @@ static bool is_counted(const struct ts_instance *self, const struct ts_particles
 		return false;
 	if (j < p->n || p->tag[i] < p->tag[j])
 		return true;
-	return p->tag[i] == p->tag[j] && list->image[r] > TS_IMAGE_SELF;
+	return p->tag[i] == p->tag[j] && ts_contact_image(list, r) > TS_IMAGE_SELF;
 }
 
 static size_t count_contacts(const struct ts_instance *self, const struct tsim *sim)
@@ -73,7 +73,7 @@ static void write_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
-	bool swap = list->tag[0][r] > list->tag[1][r]; /* the smaller identity first */
+	bool swap = ts_contact_tag(list, r, 0) > ts_contact_tag(list, r, 1); /* the smaller identity first */
 	size_t a = swap ? j : i, b = swap ? i : j;
 	const double *force = ts_contact_force(list, r);
 	double d2 = 0;

@@ -18,8 +18,8 @@ static bool contacts_current(const struct ts_contact_list *list, const struct ts
 	for (size_t r = 0; r < list->n; r++) {
 		size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 
-		if (i >= p->n || j >= p->n + p->nghost || p->tag[i] != list->tag[0][r] ||
-		    p->tag[j] != list->tag[1][r])
+		if (i >= p->n || j >= p->n + p->nghost || p->tag[i] != ts_contact_tag(list, r, 0) ||
+		    p->tag[j] != ts_contact_tag(list, r, 1))
 			return false;
 	}
 	return true;
@@ -80,7 +80,7 @@ bool ts_contact_counts(const struct tsim *sim, size_t r, int group)
 		return false;
 	if (j < p->n || p->tag[i] < p->tag[j])
 		return true;
-	return p->tag[i] == p->tag[j] && list->image[r] > TS_IMAGE_SELF;
+	return p->tag[i] == p->tag[j] && ts_contact_image(list, r) > TS_IMAGE_SELF;
 }
 
 void ts_contact_view(const struct tsim *sim, size_t r, struct ts_contact_view *view)
@@ -89,7 +89,7 @@ void ts_contact_view(const struct tsim *sim, size_t r, struct ts_contact_view *v
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
-	bool swap = list->tag[0][r] > list->tag[1][r];
+	bool swap = ts_contact_tag(list, r, 0) > ts_contact_tag(list, r, 1);
 
 	view->row = r;
 	view->a = swap ? owner : i;

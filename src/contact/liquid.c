@@ -131,10 +131,10 @@ static bool has_broken(const struct ts_contact_list *list, const struct ts_pair 
  * step, because of rounding. */
 static size_t mirror_pair(const struct ts_contact_list *list, const struct ts_particles *p, size_t r)
 {
-	for (size_t k = 0; list->image[r] != TS_IMAGE_SELF && k < list->n; k++)
+	for (size_t k = 0; ts_contact_image(list, r) != TS_IMAGE_SELF && k < list->n; k++)
 		if ((size_t)list->i[k] == local_of(p, (size_t)list->j[r]) &&
 		    (size_t)list->i[r] == local_of(p, (size_t)list->j[k]) &&
-		    list->image[k] == 2 * TS_IMAGE_SELF - list->image[r])
+		    ts_contact_image(list, k) == 2 * TS_IMAGE_SELF - ts_contact_image(list, r))
 			return k;
 	return list->n;
 }
@@ -147,7 +147,8 @@ static enum ts_status append_transfer(struct transfer_list *transfers, const str
 	if (TS_GROW(transfers->item, transfers->capacity, transfers->n + 1) != TS_OK)
 		return TS_NOMEM;
 	transfers->item[transfers->n++] =
-		(struct transfer){ list->tag[side][r], list->tag[!side][r], list->winding[r], i, amount };
+		(struct transfer){ ts_contact_tag(list, r, side), ts_contact_tag(list, r, !side),
+				   ts_contact_winding(list, r), i, amount };
 	return TS_OK;
 }
 

@@ -189,7 +189,8 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 			       "fix multicontact/halfspace: the surfaces of particles %d and %d are "
 			       "displaced by %.3g of the sum of their radii, the limit is %g: strains are "
 			       "too large for linear elasticity",
-			       list->tag[0][r], list->tag[1][r], m->bulge[r].bulge / sum, TS_BULGE_MOST);
+			       ts_contact_tag(list, r, 0), ts_contact_tag(list, r, 1),
+			       m->bulge[r].bulge / sum, TS_BULGE_MOST);
 	}
 	return TS_OK;
 }

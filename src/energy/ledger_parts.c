@@ -349,7 +349,8 @@ static void remove_pairs_of_deleted(struct tsim *sim, struct ts_ledger *l, const
 		/* a contact across a periodic face has two rows */
 		double fraction = (size_t)rows->j[r] < rows->particles ? -1 : -0.5;
 
-		if (ts_identity_row(map, rows->tag[0][r]) >= 0 && ts_identity_row(map, rows->tag[1][r]) >= 0)
+		if (ts_identity_row(map, ts_contact_tag(rows, r, 0)) >= 0 &&
+		    ts_identity_row(map, ts_contact_tag(rows, r, 1)) >= 0)
 			continue;
 		for (int k = 0; k < TS_NCONTACT_STORE; k++)
 			ts_exactsum_add(&gone[k], fraction * l->row_energy[r][k]);

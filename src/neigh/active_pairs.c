@@ -247,10 +247,11 @@ static enum ts_status reserve_lists(const struct choice *c)
 		blocks += (to - from) / TOUCHING_PER_BLOCK + ((to - from) / c->group + 1) * most +
 			  TS_BLOCKS_AHEAD;
 	}
-	TS_TRY(TS_RENEW(list->active, list->active_capacity, list->n));
-	TS_TRY(TS_RENEW(list->slot_of, list->slot_of_capacity,
-			list->n + 1)); /* never NULL: pointers into it are computed even if it is empty */
-	return TS_RENEW(list->block, list->block_capacity, blocks);
+	TS_TRY(TS_RENEW_UNSET(list->active, list->active_capacity, list->n));
+	TS_TRY(TS_RENEW_UNSET(list->slot_of, list->slot_of_capacity,
+			      list->n +
+				      1)); /* never NULL: pointers into it are computed even if it is empty */
+	return TS_RENEW_UNSET(list->block, list->block_capacity, blocks);
 }
 
 /* Cost of an inner skin g: in each step a fraction g/skin of all pairs is computed needlessly; and every g/(2

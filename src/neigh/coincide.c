@@ -29,13 +29,13 @@ static bool precedes(const struct ts_contact_list *list, size_t a, size_t b)
 	int32_t p[2], q[2];
 
 	for (int k = 0; k < 2; k++) {
-		p[k] = list->tag[k][a];
-		q[k] = list->tag[k][b];
+		p[k] = ts_contact_tag(list, a, k);
+		q[k] = ts_contact_tag(list, b, k);
 	}
 	if (p[0] > p[1])
-		p[0] = list->tag[1][a], p[1] = list->tag[0][a];
+		p[0] = ts_contact_tag(list, a, 1), p[1] = ts_contact_tag(list, a, 0);
 	if (q[0] > q[1])
-		q[0] = list->tag[1][b], q[1] = list->tag[0][b];
+		q[0] = ts_contact_tag(list, b, 1), q[1] = ts_contact_tag(list, b, 0);
 	return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
 }
 
@@ -61,7 +61,7 @@ enum ts_status ts_coincide_check_pairs(struct tsim *sim, const struct ts_contact
 		return TS_OK;
 	x = p->x[list->i[first]];
 	for (int k = 0; k < 2; k++)
-		tag[k] = list->tag[k][first];
+		tag[k] = ts_contact_tag(list, first, k);
 	return ts_fail(&sim->error, TS_PHYSICS, NULL,
 		       "at step %" PRId64
 		       " particles %d and %d are at the same place (%g %g %g)%s: a contact force has no "

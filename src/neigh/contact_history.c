@@ -10,13 +10,6 @@
 
 #include "base/banned.h"
 
-static int32_t opposite(int32_t winding)
-{
-	const int32_t turns[3] = { -(winding & 1023), -(winding >> 10 & 1023), -(winding >> 20 & 1023) };
-
-	return ts_winding(turns);
-}
-
 /* Across a periodic face a pair is listed twice, once with each particle as i. Both entries are equal but for
  * rounding, and each keeps its own history. The bit is set in the winding of the entry whose i has the larger
  * identity. */
@@ -25,9 +18,9 @@ enum { OTHER_SIDE = 1 << 30 };
 /* The key of pair r; *swapped: its i has the larger identity. */
 static struct ts_contact_key make_key(const struct ts_contact_list *list, size_t r, bool *swapped)
 {
-	int32_t a = list->tag[0][r], b = list->tag[1][r];
-	int32_t there = list->winding[r], back = opposite(there);
-	int32_t side = list->image[r] == TS_IMAGE_SELF ? 0 : OTHER_SIDE;
+	int32_t a = ts_contact_tag(list, r, 0), b = ts_contact_tag(list, r, 1);
+	int32_t there = ts_contact_winding(list, r), back = ts_winding_difference(0, there);
+	int32_t side = ts_contact_image(list, r) == TS_IMAGE_SELF ? 0 : OTHER_SIDE;
 
 	*swapped = a > b || (a == b && there < back);
 	if (*swapped)
@@ -189,7 +182,7 @@ static bool has_key(const struct restoring *g, size_t r)
 {
 	/* a table instead of a branch, which would be mispredicted half of the time */
 	const int32_t *const end[2] = { g->list->i, g->list->j };
-	int32_t a = g->list->tag[0][r], b = g->list->tag[1][r], larger = a > b ? a : b;
+	int32_t a = ts_contact_tag(g->list, r, 0), b = ts_contact_tag(g->list, r, 1), larger = a > b ? a : b;
 	int32_t k = g->first[local_of(g, end[a > b][r])];
 
 	while (k && g->link[k - 1].larger != larger)

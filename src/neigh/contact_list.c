@@ -12,18 +12,38 @@
 
 #include "base/banned.h"
 
-/* x_i - x_j + turns L is the separation of the unwrapped positions (L the box lengths), so `turns` stays the
- * same when a particle is wrapped. */
-static int32_t winding_of(const struct ts_particles *p, const struct ts_shear *shear, size_t i, size_t j)
+/* See ts_contact_winding: box lengths by which particle i was wrapped, for an image those of its owner less its shift.
+ */
+static int32_t turns_of(const struct ts_particles *p, const struct ts_shear *shear, size_t i)
 {
-	size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
+	const int8_t *shift = i < p->n ? NULL : p->ghost_shift[i - p->n];
+	size_t owner = shift ? (size_t)p->ghost_owner[i - p->n] : i;
 	int32_t turns[3];
 
 	for (int k = 0; k < 3; k++)
-		turns[k] = p->image[i][k] - p->image[owner][k] + (j < p->n ? 0 : p->ghost_shift[j - p->n][k]);
-	if (shear->on && j >= p->n)
-		turns[shear->flow] -= (int32_t)(shear->turns * p->ghost_shift[j - p->n][shear->gradient]);
+		turns[k] = p->image[owner][k] - (shift ? shift[k] : 0);
+	if (shear->on && shift)
+		turns[shear->flow] += (int32_t)(shear->turns * shift[shear->gradient]);
 	return ts_winding(turns);
+}
+
+/* Notes identities and images of all particles. */
+static enum ts_status note_particles(struct tsim *sim, struct ts_contact_list *list)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_shear *shear = &sim->domain->box.shear;
+	size_t n = p->n + p->nghost;
+
+	TS_TRY(TS_RENEW_UNSET(list->tag, list->tag_capacity, n));
+	TS_TRY(TS_RENEW_UNSET(list->turns, list->turns_capacity, n));
+	TS_TRY(TS_RENEW_UNSET(list->image, list->image_capacity, p->nghost));
+	for (size_t i = 0; i < n; i++) {
+		list->tag[i] = p->tag[i];
+		list->turns[i] = turns_of(p, shear, i);
+		if (i >= p->n)
+			list->image[i - p->n] = ts_contact_image_of(p, i);
+	}
+	return TS_OK;
 }
 
 /* Allocates room for n pairs; the old contents are lost. */
@@ -35,21 +55,17 @@ static enum ts_status reserve_pairs(struct ts_contact_list *list, size_t n)
 	if (n <= held)
 		return TS_OK;
 	list->n = list->capacity = 0; /* in case of failure */
-#define RENEW_COLUMN(column)                                 \
-	do {                                                 \
-		capacity = held;                             \
-		TS_TRY(TS_RENEW(list->column, capacity, n)); \
+#define RENEW_COLUMN(column)                                       \
+	do {                                                       \
+		capacity = held;                                   \
+		TS_TRY(TS_RENEW_UNSET(list->column, capacity, n)); \
 	} while (0)
 	RENEW_COLUMN(i);
 	RENEW_COLUMN(j);
-	RENEW_COLUMN(tag[0]);
-	RENEW_COLUMN(tag[1]);
-	RENEW_COLUMN(image);
-	RENEW_COLUMN(winding);
 	RENEW_COLUMN(touching);
 #undef RENEW_COLUMN
 	if (list->history_width)
-		TS_TRY(TS_RENEW(list->history, wide, capacity * width));
+		TS_TRY(TS_RENEW_UNSET(list->history, wide, capacity * width));
 	list->capacity = capacity;
 	return TS_OK;
 }
@@ -66,17 +82,6 @@ static void clear_pairs(struct ts_contact_list *list, size_t from, size_t n)
 		memset(list->history + from * width, 0, n * width * sizeof *list->history);
 }
 
-static void write_pair(struct ts_contact_list *list, const struct ts_particles *p,
-		       const struct ts_shear *shear, size_t r, size_t i, size_t j)
-{
-	list->i[r] = (int32_t)i;
-	list->j[r] = (int32_t)j;
-	list->tag[0][r] = p->tag[i];
-	list->tag[1][r] = p->tag[j];
-	list->image[r] = ts_contact_image(p, j);
-	list->winding[r] = winding_of(p, shear, i, j);
-}
-
 struct fill_task {
 	struct ts_contact_list *list;
 	const struct ts_contact_search *found;
@@ -85,8 +90,6 @@ struct fill_task {
 static void write_shares(void *context, size_t from, size_t to)
 {
 	const struct fill_task *f = context;
-	const struct ts_particles *p = f->found->sim->particles;
-	const struct ts_shear *shear = &f->found->sim->domain->box.shear;
 
 	for (size_t t = from; t < to; t++) {
 		const struct ts_contact_found *share = &f->found->share[t];
@@ -94,8 +97,10 @@ static void write_shares(void *context, size_t from, size_t to)
 
 		clear_pairs(f->list, r, share->n);
 		for (size_t i = share->from; i < share->to; i++)
-			for (size_t k = f->found->count[i]; k; k--)
-				write_pair(f->list, p, shear, r++, i, (size_t)share->partner[at++]);
+			for (size_t k = f->found->count[i]; k; k--) {
+				f->list->i[r] = (int32_t)i;
+				f->list->j[r++] = share->partner[at++];
+			}
 	}
 }
 
@@ -107,14 +112,15 @@ static void order_images(const struct ts_contact_list *list, size_t from, size_t
 
 	for (size_t k = from + 1; k < to; k++) {
 		uint32_t e = g->entry[k];
-		int mine = e & 1 ? TS_IMAGE_SELF : list->image[e >> 1];
+		int mine = e & 1 ? TS_IMAGE_SELF : ts_contact_image(list, e >> 1);
 		size_t at = k;
 
 		for (; at > from; at--) {
 			uint32_t b = g->entry[at - 1];
 
-			if (list->tag[!(b & 1)][b >> 1] != list->tag[!(e & 1)][e >> 1] ||
-			    (b & 1 ? TS_IMAGE_SELF : list->image[b >> 1]) <= mine)
+			if (ts_contact_tag(list, b >> 1, !(b & 1)) !=
+				    ts_contact_tag(list, e >> 1, !(e & 1)) ||
+			    (b & 1 ? TS_IMAGE_SELF : ts_contact_image(list, b >> 1)) <= mine)
 				break;
 			g->entry[at] = b;
 		}
@@ -126,7 +132,9 @@ static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_gather *g = &list->gather;
-	struct ts_gather_pairs pairs = { list->n, 1, { list->i, list->j }, { list->tag[0], list->tag[1] } };
+	struct ts_gather_pairs pairs = {
+		.n = list->n, .stride = 1, .end = { list->i, list->j }, .tag_of = list->tag
+	};
 
 	if (ts_gather_index(sim, &list->gather, &pairs) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -145,7 +153,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	else
 		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));
 	TS_TRY(ts_contact_search(sim, found));
-	if (reserve_pairs(list, found->n) != TS_OK ||
+	if (note_particles(sim, list) != TS_OK || reserve_pairs(list, found->n) != TS_OK ||
 	    TS_GROW(list->sphere, list->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->n = found->n;
@@ -212,8 +220,7 @@ enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_l
 size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 {
 	size_t entry = sizeof *list->gather.entry + sizeof *list->sum;
-	size_t row = sizeof *list->i + sizeof *list->j + 2 * sizeof *list->tag[0] + sizeof *list->image +
-		     sizeof *list->winding + sizeof *list->touching + sizeof *list->active +
+	size_t row = sizeof *list->i + sizeof *list->j + sizeof *list->touching + sizeof *list->active +
 		     sizeof *list->slot_of + sizeof *list->sums_left +
 		     list->history_width * sizeof *list->history + 2 * entry;
 	size_t results = list->n * (size_t)list->parts; /* all results are kept at the end of a run */
@@ -227,10 +234,9 @@ void ts_contact_list_release(struct ts_contact_list *list)
 {
 	ts_free(list->i);
 	ts_free(list->j);
-	ts_free(list->tag[0]);
-	ts_free(list->tag[1]);
+	ts_free(list->tag);
+	ts_free(list->turns);
 	ts_free(list->image);
-	ts_free(list->winding);
 	ts_free(list->result);
 	ts_free(list->touching);
 	ts_free(list->history);

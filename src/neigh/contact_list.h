@@ -77,11 +77,14 @@ struct ts_contact_list {
 	size_t particles; /* number of local particles when the list was built */
 	/* By pair, n numbers each: */
 	int32_t *i, *j;	   /* indices of the particle columns; i local, j local or ghost */
-	int32_t *tag[2];   /* identities of i and j */
-	uint8_t *image;	   /* which periodic image j is, 0..26; see ts_image_code */
-	int32_t *winding;  /* the same, but independent of periodic wrapping; see ts_winding */
 	uint8_t *touching; /* 1: the surfaces overlap, or a liquid bridge joins them */
 	double *history;   /* history_width numbers each; zero where the pair has never touched */
+
+	/* By particle, ghosts included, as they were when the list was built: see ts_contact_tag and the functions
+	 * after it. `image`: of ghosts only. */
+	int32_t *tag, *turns;
+	uint8_t *image;
+	size_t tag_capacity, turns_capacity, image_capacity;
 
 	enum ts_contact_results results;
 	bool bridges_broken; /* liquid bridges broke in this step: contact/liquid.h */
@@ -139,10 +142,41 @@ static inline uint8_t ts_image_code(const int8_t shift[3])
 	return (uint8_t)(TS_IMAGE_SELF + shift[0] + 3 * shift[1] + 9 * shift[2]);
 }
 
-/* Number of box lengths between two unwrapped particles in each dimension, modulo 1024, 10 bits each. */
+/* Numbers of box lengths in each dimension, modulo 1024, 10 bits each. */
 static inline int32_t ts_winding(const int32_t turns[3])
 {
 	return (turns[0] & 1023) | (turns[1] & 1023) << 10 | (turns[2] & 1023) << 20;
+}
+
+/* a - b, dimension by dimension. */
+static inline int32_t ts_winding_difference(int32_t a, int32_t b)
+{
+	int32_t difference = 0;
+
+	for (int32_t bits = 1023, k = 0; k < 3; k++, bits <<= 10)
+		difference |= ((a & bits) - (b & bits)) & bits;
+	return difference;
+}
+
+/* Identity of particle i (side 0) or j (side 1) of pair r. */
+static inline int32_t ts_contact_tag(const struct ts_contact_list *list, size_t r, int side)
+{
+	return list->tag[side ? list->j[r] : list->i[r]];
+}
+
+/* Which periodic image j of pair r is, 0..26; see ts_image_code. */
+static inline uint8_t ts_contact_image(const struct ts_contact_list *list, size_t r)
+{
+	size_t j = (size_t)list->j[r];
+
+	return j < list->particles ? (uint8_t)TS_IMAGE_SELF : list->image[j - list->particles];
+}
+
+/* The same, but independent of periodic wrapping: x_i - x_j + winding L is the separation of the unwrapped
+ * positions (L the box lengths). */
+static inline int32_t ts_contact_winding(const struct ts_contact_list *list, size_t r)
+{
+	return ts_winding_difference(list->turns[list->i[r]], list->turns[list->j[r]]);
 }
 
 /* Builds the list of all pairs of particles whose distance at the last rebuild (xhold) is less than r_i + r_j

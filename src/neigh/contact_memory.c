@@ -68,7 +68,7 @@ enum ts_status ts_contacts_load_history(struct tsim *sim, struct ts_contact_list
 {
 	if (!list->history_width)
 		return TS_OK;
-	if (TS_RENEW(list->memory, list->memory_capacity, place_blocks(list)) != TS_OK)
+	if (TS_RENEW_UNSET(list->memory, list->memory_capacity, place_blocks(list)) != TS_OK)
 		return ts_nomem(&sim->error);
 	for_each_block(sim, list, load_block);
 	return TS_OK;

@@ -133,7 +133,7 @@ static enum ts_status sort_partners(const struct ts_contact_search *s, struct ts
 		size_t j = (size_t)partner[k];
 
 		f->key[k] = (uint64_t)p->tag[j] << (PLACE_BITS + IMAGE_BITS) |
-			    (uint64_t)ts_contact_image(p, j) << PLACE_BITS | k;
+			    (uint64_t)ts_contact_image_of(p, j) << PLACE_BITS | k;
 		f->key[n + k] = j;
 	}
 	ts_sort_keys(f->key, f->spare, n);
@@ -176,7 +176,7 @@ static enum ts_status search_all_shares(struct tsim *sim, struct ts_contact_sear
 	for (size_t t = 0; t < shares; t++) {
 		s->share[t].from = n * t / shares;
 		s->share[t].to = n * (t + 1) / shares;
-		if (TS_RENEW(s->share[t].partner, s->share[t].capacity, s->expected / shares) != TS_OK)
+		if (TS_RENEW_UNSET(s->share[t].partner, s->share[t].capacity, s->expected / shares) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
 	ts_parallel(s->shares, shares, search_shares, s);

@@ -39,7 +39,7 @@ enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *sea
 void ts_contact_search_release(struct ts_contact_search *search);
 
 /* Which periodic image particle j is, as a number 0..26; see ts_image_code. */
-static inline uint8_t ts_contact_image(const struct ts_particles *p, size_t j)
+static inline uint8_t ts_contact_image_of(const struct ts_particles *p, size_t j)
 {
 	return j < p->n ? (uint8_t)TS_IMAGE_SELF : ts_image_code(p->ghost_shift[j - p->n]);
 }

@@ -122,7 +122,7 @@ static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *
 {
 	struct slot_task s = { list, ts_alloc((size_t)list->shares, sizeof *s.used) };
 
-	if (!s.used || TS_RENEW(list->sums_left, list->sums_left_capacity, list->n) != TS_OK) {
+	if (!s.used || TS_RENEW_UNSET(list->sums_left, list->sums_left_capacity, list->n) != TS_OK) {
 		ts_free(s.used);
 		return TS_NOMEM;
 	}
@@ -148,7 +148,7 @@ static enum ts_status clear_results(struct ts_contact_list *list, size_t room)
 {
 	list->parts = list->parts ? list->parts : 1;
 	room *= (size_t)list->parts;
-	TS_TRY(TS_RENEW(list->result, list->result_capacity, room));
+	TS_TRY(TS_RENEW_UNSET(list->result, list->result_capacity, room));
 	if (room)
 		memset(list->result, 0, room * sizeof *list->result);
 	return TS_OK;

@@ -42,11 +42,19 @@ static void list_entries_share(void *context, size_t from, size_t to)
 					(uint32_t)(2 * r + (size_t)side);
 }
 
+static inline uint64_t tag_of_partner(const struct ts_gather_pairs *p, uint32_t entry)
+{
+	size_t r = (entry >> 1) * p->stride;
+	int side = !(entry & 1);
+
+	return (uint64_t)(p->tag_of ? p->tag_of[p->end[side][r]] : p->tag[side][r]);
+}
+
 static void sort_entries(const struct ts_gather_pairs *p, uint32_t *entry, size_t n, uint64_t *key,
 			 uint64_t *spare)
 {
 	for (size_t k = 0; k < n; k++)
-		key[k] = (uint64_t)p->tag[!(entry[k] & 1)][(entry[k] >> 1) * p->stride] << 32 | entry[k];
+		key[k] = tag_of_partner(p, entry[k]) << 32 | entry[k];
 	ts_sort_keys(key, spare, n);
 	for (size_t k = 0; k < n; k++)
 		entry[k] = (uint32_t)key[k];
@@ -85,7 +93,7 @@ enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *g,
 	struct gather_task t = { .pairs = pairs };
 
 	TS_TRY(TS_RENEW(g->first, g->first_capacity, n + 2));
-	TS_TRY(TS_RENEW(g->entry, g->entry_capacity, 2 * pairs->n));
+	TS_TRY(TS_RENEW_UNSET(g->entry, g->entry_capacity, 2 * pairs->n));
 	t.first = g->first;
 	t.entry = g->entry;
 	for (size_t i = 0; i < n + 2; i++)

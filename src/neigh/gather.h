@@ -22,10 +22,10 @@ struct ts_gather {
 };
 
 /* A list of n pairs: end[s][r * stride] is the column index of particle s of pair r (only local ones get
- * entries), tag[s][r * stride] its identity. */
+ * entries), tag[s][r * stride] its identity; or tag_of[index], if tag_of is not NULL. */
 struct ts_gather_pairs {
 	size_t n, stride;
-	const int32_t *end[2], *tag[2];
+	const int32_t *end[2], *tag[2], *tag_of;
 };
 enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *gather,
 			       const struct ts_gather_pairs *pairs);

@@ -29,11 +29,13 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 	const struct ts_particles *p = sim->particles;
 
 	for (size_t r = 0; r < list->n; r++) {
-		bool is_i = list->tag[0][r] == p->tag[i], is_j = list->tag[1][r] == p->tag[i];
+		bool is_i = ts_contact_tag(list, r, 0) == p->tag[i],
+		     is_j = ts_contact_tag(list, r, 1) == p->tag[i];
 
 		if (!list->touching[r] || !(is_i || is_j))
 			continue;
-		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "", list->tag[is_i ? 1 : 0][r]);
+		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "",
+			    ts_contact_tag(list, r, is_i ? 1 : 0));
 		if (list->results == TS_RESULTS_KEPT)
 			ts_str_addf(out, " (force %g)", ts_norm(ts_contact_force(list, r)));
 	}

@@ -5,8 +5,8 @@
 enum ts_status ts_touching_sums_reset(struct ts_contact_list *list)
 {
 	/* never NULL: pointers into it are computed even if it is empty */
-	TS_TRY(TS_RENEW(list->sum, list->sum_capacity, 2 * list->n + 1));
-	TS_TRY(TS_RENEW(list->sums, list->sums_capacity, list->particles));
+	TS_TRY(TS_RENEW_UNSET(list->sum, list->sum_capacity, 2 * list->n + 1));
+	TS_TRY(TS_RENEW_UNSET(list->sums, list->sums_capacity, list->particles));
 	for (size_t i = 0; i < list->particles; i++)
 		list->sums[i] = TS_SUMS_STALE;
 	return TS_OK;

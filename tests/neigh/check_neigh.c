@@ -111,12 +111,12 @@ static void from_rows(const struct tsim *sim, struct contacts *c)
 
 	memset(c, 0, sizeof *c);
 	for (size_t r = 0; r < rows->n; r++) {
-		int a = rows->tag[0][r], b = rows->tag[1][r];
+		int a = ts_contact_tag(rows, r, 0), b = ts_contact_tag(rows, r, 1);
 		bool ghost = (size_t)rows->j[r] >= p->n;
 
 		/* asserting is dear: only what is wrong */
 		if (p->tag[rows->i[r]] != a || p->tag[rows->j[r]] != b ||
-		    (!ghost && rows->image[r] != TS_IMAGE_SELF))
+		    (!ghost && ts_contact_image(rows, r) != TS_IMAGE_SELF))
 			ck_abort_msg("row %zu does not fit the particles", r);
 		if (!rows->touching[r])
 			continue;
@@ -259,7 +259,7 @@ static int mark(struct tsim *sim)
 	int marked = 0;
 
 	for (size_t r = 0; r < rows->n; r++) {
-		int a = rows->tag[0][r], b = rows->tag[1][r];
+		int a = ts_contact_tag(rows, r, 0), b = ts_contact_tag(rows, r, 1);
 
 		rows->touching[r] = (a + b) % 3 != 0;
 		rows->history[2 * r] = rows->touching[r] ? label(a, b) : 0;
@@ -274,7 +274,7 @@ static void check_marks(const struct tsim *sim, int marked)
 	const struct ts_contact_list *rows = &sim->neigh->contacts;
 
 	for (size_t r = 0; r < rows->n; r++) {
-		int a = rows->tag[0][r], b = rows->tag[1][r];
+		int a = ts_contact_tag(rows, r, 0), b = ts_contact_tag(rows, r, 1);
 		double expected = (a + b) % 3 != 0 ? label(a, b) : 0;
 
 		if (a == b)
@@ -356,7 +356,7 @@ START_TEST(history_through_face)
 	for (size_t r = 0; r < rows->n; r++) {
 		rows->touching[r] = 1;
 		rows->history[2 * r] = 23.85;
-		rows->history[2 * r + 1] = rows->tag[0][r] == 1 ? 3.7 : -3.7;
+		rows->history[2 * r + 1] = ts_contact_tag(rows, r, 0) == 1 ? 3.7 : -3.7;
 	}
 	for (int step = 0; step < 30; step++) {
 		for (size_t i = 0; i < 2; i++)
@@ -366,7 +366,8 @@ START_TEST(history_through_face)
 		for (size_t r = 0; r < rows->n; r++) {
 			ck_assert_msg(rows->touching[r], "lost at step %d", step);
 			ck_assert_double_eq(rows->history[2 * r], 23.85);
-			ck_assert_double_eq(rows->history[2 * r + 1], rows->tag[0][r] == 1 ? 3.7 : -3.7);
+			ck_assert_double_eq(rows->history[2 * r + 1],
+					    ts_contact_tag(rows, r, 0) == 1 ? 3.7 : -3.7);
 		}
 	}
 	ck_assert_int_eq(sim->particles->image[0][0] + sim->particles->image[1][0], 2);
