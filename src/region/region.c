@@ -189,6 +189,14 @@ bool ts_region_reshapes(const struct ts_instance *region)
 	return ((const struct ts_region *)region->state)->reshapes;
 }
 
+bool ts_region_turns_in_place(const struct ts_instance *region)
+{
+	const struct ts_region_style *style = (const struct ts_region_style *)region->style;
+	const struct ts_region *r = region->state;
+
+	return !r->move_words.n && !r->reshapes && style->turns_in_place && style->turns_in_place(region);
+}
+
 /* Bounding box of the rotated and shifted bounds of the shape. */
 static void transform_bounds(const struct ts_region *r, double lo[3], double hi[3])
 {

@@ -82,6 +82,8 @@ struct ts_region_style {
 	 * closest of all, with face 0. Returns their number. NULL: not supported. */
 	int (*contact_points)(const struct ts_instance *self, const double x[3], bool inside,
 			      struct ts_region_contact_point *out);
+	/* Whether the rotation of the region leaves its shape where it is. NULL: it does not. */
+	bool (*turns_in_place)(const struct ts_instance *self);
 	/* Of a union or intersection the k-th member; NULL: k is beyond the last. */
 	const struct ts_instance *(*member)(const struct ts_instance *self, int64_t k);
 	/* Evaluates variables of the shape. NULL: nothing to do. */
@@ -112,6 +114,8 @@ int ts_region_contact_points_all(const struct ts_instance *region, const double 
 /* Whether the surface changes with time; and whether it does other than by rigid motion. */
 bool ts_region_varies(const struct ts_instance *region);
 bool ts_region_reshapes(const struct ts_instance *region);
+/* Whether a region that moves is one whose surface only slides along itself: a round one that turns about its axis. */
+bool ts_region_turns_in_place(const struct ts_instance *region);
 /* Lists, of the region and its members, those with move or rotate, at most `room`; returns their number,
  * which may be larger. */
 int ts_region_movers(const struct ts_instance *region, const struct ts_instance **out, int room);

@@ -75,6 +75,13 @@ static int contact_points(const struct ts_instance *self, const double x[3], boo
 	return ts_region_frustum_contact_points(&z->region, &shape, z->axis, z->c, z->center, x, inside, out);
 }
 
+static bool turns_in_place(const struct ts_instance *self)
+{
+	const struct cylinder *z = self->state;
+
+	return ts_region_frustum_turns_in_place(&z->region, z->axis, z->c, z->center);
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct cylinder *z = self->state;
@@ -136,4 +143,5 @@ const struct ts_region_style ts_region_cylinder = {
 	.update = update,
 	.faces = 3,
 	.contact_points = contact_points,
+	.turns_in_place = turns_in_place,
 };

@@ -33,3 +33,9 @@ int ts_region_frustum_contact_points(const struct ts_region *region, const struc
 	}
 	return kept;
 }
+
+bool ts_region_frustum_turns_in_place(const struct ts_region *r, int axis, const int c[2],
+				      const double center[2])
+{
+	return fabs(r->axis[axis]) == 1 && r->pivot[c[0]] == center[0] && r->pivot[c[1]] == center[1];
+}

@@ -10,5 +10,8 @@
 int ts_region_frustum_contact_points(const struct ts_region *region, const struct ts_frustum *shape, int axis,
 				     const int c[2], const double center[2], const double x[3], bool inside,
 				     struct ts_region_contact_point *out);
+/* Slot turns_in_place: the axis of the rotation is that of the solid. */
+bool ts_region_frustum_turns_in_place(const struct ts_region *region, int axis, const int c[2],
+				      const double center[2]);
 
 #endif

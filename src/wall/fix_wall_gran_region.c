@@ -67,6 +67,12 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_wall_archive(self, sim, a);
 }
 
+static void fini(struct ts_instance *self)
+{
+	ts_region_wall_shape.release(&((struct wall *)self->state)->region);
+	ts_wall_fini(self);
+}
+
 static const char doc[] =
 	"Particles of the group interact with the surface of a region: a block, cone, cylinder, plane or "
 	"sphere, or a union or intersection of such. They interact with the side that the region defines: "
@@ -113,5 +119,5 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.plan = ts_wall_plan,
 	.review = ts_coincide_review,
-	.fini = ts_wall_fini,
+	.fini = fini,
 };

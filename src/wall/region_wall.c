@@ -112,6 +112,17 @@ static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, cons
 	return !(fabs(ts_region_depth(w->region, x)) >= radius + further + ts_wall_reach(wall, sim, radius));
 }
 
+/* The distance by which the centre of particle i is out of the range of the law, with a margin of 0.1 % for rounding;
+ * unknown for a law whose range may change, and for a region that changes its shape. */
+static double clear_distance(const struct ts_region_wall *w, const struct tsim *sim,
+			     const struct ts_wall *wall, size_t i)
+{
+	double depth = ts_region_depth(w->region, sim->particles->xhold[i]);
+
+	return ts_wall_long_ranged(wall, sim) || ts_region_reshapes(w->region) ? -INFINITY
+									       : 0.999 * fabs(depth);
+}
+
 /* Stores the present poses of the moving regions, and upper bounds of the distances of particles from their
  * pivots until the next listing. */
 static void store_poses(struct ts_region_wall *w, const struct tsim *sim)
@@ -128,6 +139,7 @@ static void store_poses(struct ts_region_wall *w, const struct tsim *sim)
 			far2 = fmax(far2, ts_distance2(p->xhold[i], pivot));
 		pose->far = sqrt(far2) + sim->neigh->built_skin + w->margin;
 		pose->angle = r->turned;
+		pose->in_place = ts_region_turns_in_place(w->mover[k]);
 		ts_scale(1, r->shift, pose->shift);
 	}
 	w->listed_step = sim->clock.step;
@@ -143,7 +155,9 @@ static double max_approach(const struct ts_region_wall *w)
 		const struct ts_region *r = w->mover[k]->state;
 		const struct ts_region_pose *pose = &w->listed[k];
 
-		sum += sqrt(ts_distance2(r->shift, pose->shift)) + fabs(r->turned - pose->angle) * pose->far;
+		if (!pose->in_place)
+			sum += sqrt(ts_distance2(r->shift, pose->shift)) +
+			       fabs(r->turned - pose->angle) * pose->far;
 	}
 	return sum;
 }
@@ -238,6 +252,16 @@ static enum ts_status update(struct ts_instance *self, struct tsim *sim, struct 
 	return status;
 }
 
+/* Whether the surface stays where it is: nothing moves, or it only slides along itself. */
+static bool are_in_place(const struct ts_region_wall *w)
+{
+	bool are = true;
+
+	for (int k = 0; k < w->nmovers; k++)
+		are &= ts_region_turns_in_place(w->mover[k]);
+	return are;
+}
+
 /* If particles would be listed again within fewer steps than this, listing all of them is cheaper. */
 enum { MIN_LIST_STEPS = 8 };
 
@@ -259,8 +283,9 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 	const struct ts_particles *p = sim->particles;
 	bool all = w->list_all || ts_region_reshapes(w->region);
 	double further;
+	size_t listed = 0;
 
-	w->margin = all ? INFINITY : w->nmovers ? sim->neigh->built_skin : 0;
+	w->margin = all ? INFINITY : are_in_place(w) ? 0 : sim->neigh->built_skin;
 	store_poses(w, sim);
 	further = sim->neigh->built_skin + w->margin;
 	for (size_t i = 0; i < p->n; i++) {
@@ -269,6 +294,9 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 			continue;
 		for (int k = 0; k < w->faces; k++)
 			TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
+		if (TS_GROW(w->clear, w->clear_capacity, listed + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		w->clear[listed++] = clear_distance(w, sim, wall, i);
 	}
 	return TS_OK;
 }
@@ -323,8 +351,38 @@ struct force_task {
 	struct tsim *sim;
 	struct ts_wall *wall;
 	const struct ts_region_wall *w;
-	bool far; /* the list contains particles that are far from the surface */
+	bool far;	 /* the list contains particles that are far from the surface */
+	double approach; /* upper bound of the displacement of the surface since the listing, length */
 };
+
+/* Whether particle i, the `listed`th of the list, cannot touch yet: it and the surface have moved by less than the
+ * distance between them at the listing. */
+static bool is_clear(const struct force_task *t, size_t i, size_t listed)
+{
+	const struct ts_particles *p = t->sim->particles;
+	double room = t->w->clear[listed] - p->radius[i] - t->approach;
+
+	return room > 0 && ts_distance2(p->x[i], p->xhold[i]) < room * room;
+}
+
+/* Prefetches what the computation of the particle with contacts from k on will read. */
+TS_INLINE void prefetch_particle(const struct force_task *t, size_t k, size_t end)
+{
+	const struct ts_wall_contacts *c = &t->wall->contacts;
+	size_t faces = (size_t)t->w->faces,
+	       next = k + TS_WALL_AHEAD * faces < end ? k + TS_WALL_AHEAD * faces : k;
+	size_t i = (size_t)c->row[next];
+	bool touches = false;
+
+	for (size_t face = 0; face < faces; face++) {
+		if (c->touching[next + face])
+			ts_wall_prefetch_contact(c, next + face);
+		touches |= c->touching[next + face] != 0;
+	}
+	ts_wall_prefetch_particle(t->sim->particles, i, touches);
+	if (!touches)
+		ts_wall_prefetch(t->sim->particles->xhold[i]);
+}
 
 /* The contacts of a particle with the faces 0 .. faces - 1 are consecutive. */
 static void compute_contacts(const struct force_task *t, size_t from, size_t to,
@@ -332,25 +390,25 @@ static void compute_contacts(const struct force_task *t, size_t from, size_t to,
 {
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
+	const size_t faces = (size_t)t->w->faces;
 	struct ts_wall_queue queue;
-	int n = 0;
 
 	ts_wall_queue_start(&queue, t->wall, t->sim);
-	for (size_t k = from; k < to; k++) {
-		const double *x = p->x[c->row[k]];
-		const struct ts_region_contact_point *on;
-		int face = c->key[k][1];
+	for (size_t k = from; k < to; k += faces) {
+		size_t i = (size_t)c->row[k];
+		int n = 0;
 
-		ts_wall_prefetch_ahead(c, p, k, to);
-		if (face == 0)
-			n = t->far && !is_near(t->w, t->sim, t->wall, (size_t)c->row[k], x, 0)
-				    ? 0
-				    : ts_region_contact_points(t->w->region, x, point);
-		on = face_point(point, n, face);
-		if (on)
-			compute_face(&queue, t->wall, t->w, k, on);
-		else
-			ts_wall_contact_end(c, k);
+		prefetch_particle(t, k, to);
+		if (!is_clear(t, i, k / faces) && !(t->far && !is_near(t->w, t->sim, t->wall, i, p->x[i], 0)))
+			n = ts_region_contact_points(t->w->region, p->x[i], point);
+		for (size_t face = 0; face < faces; face++) {
+			const struct ts_region_contact_point *on = face_point(point, n, (int)face);
+
+			if (on)
+				compute_face(&queue, t->wall, t->w, k + face, on);
+			else
+				ts_wall_contact_end(c, k + face);
+		}
 	}
 	ts_wall_queue_end(&queue);
 }
@@ -369,19 +427,26 @@ static enum ts_status enqueue(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *wall = self->state;
 	struct ts_region_wall *w = wall->geometry;
-	struct force_task task = { sim, wall, w, ts_region_varies(w->region) };
+	struct force_task task = { sim, wall, w, false, 0 };
 
 	TS_TRY(update(self, sim, w));
 	if (needs_list(sim, w))
 		TS_TRY(ts_wall_relist(self, sim, 0, add_pairs));
 	for (int k = 0; k < w->nmovers; k++)
 		update_motion(w->mover[k], &w->motion[k], sim);
+	task.far = w->margin > 0;
+	task.approach = max_approach(w);
 	if (w->faces <= MAX_STACK_POINTS)
 		ts_wall_contacts_parallel(sim, &wall->contacts, compute_range, &task);
 	else
 		compute_contacts(&task, 0, wall->contacts.n, w->point);
 	ts_wall_finish(wall);
 	return ts_coincide_wall(sim, wall);
+}
+
+static void release(void *geometry)
+{
+	ts_free(((struct ts_region_wall *)geometry)->clear);
 }
 
 /* The surface of a region that moves or changes may be anywhere: gap 0. */
@@ -468,6 +533,7 @@ const struct ts_wall_shape ts_region_wall_shape = {
 	.given = given,
 	.find = find,
 	.archive = archive,
+	.release = release,
 	.surfaces = ts_wall_one_surface,
 	.fix = ts_wall_own_fix,
 	.place = ts_wall_own_place,

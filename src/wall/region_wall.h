@@ -17,6 +17,7 @@ enum { TS_REGION_MOTION = sizeof(struct ts_region_motion) / sizeof(double) };
 /* Pose of a moving region when particles near it were listed. */
 struct ts_region_pose {
 	double shift[3], angle; /* displacement, length; angle, radian */
+	bool in_place;		/* the surface only slides along itself */
 	/* upper bound of the distance of a particle from the pivot until the next listing, length */
 	double far;
 };
@@ -32,6 +33,10 @@ struct ts_region_wall {
 	/* displacement of the surface after which particles are listed again, length; infinite: all are
 	 * listed */
 	double margin;
+	/* [listed particles] distance of its centre from the surface at the listing, less the range of the law, length;
+	 * -infinity: unknown */
+	double *clear;
+	size_t clear_capacity;
 	int64_t listed_step;
 	bool list_all;	 /* the surface is so fast that all particles are listed */
 	int64_t updated; /* 1 + the step of the last update; 0: never */
