@@ -67,52 +67,68 @@ static void fill_softening(const struct ts_bonds *b, const struct ts_bond_elemen
 }
 
 /* Constants of the bond of a lane, or of none. `dashpots`, `soft`: NULL if there are none. */
-static void fill_lane(const struct tsim *sim, struct ts_bond_row *r, struct ts_bond_dashpots *dashpots,
-		      struct ts_bond_softening *soft, size_t lane)
+static void fill_sections(struct ts_bond_sections *c, const struct ts_bond_element *e, size_t lane)
 {
-	struct ts_bond_element e = {
-		.length = 1, .tension = INFINITY, .shear = INFINITY, .compression = INFINITY
-	};
-	uint32_t b = r->bond[lane];
+	for (int k = 0; k < TS_BOND_MODES; k++)
+		c->k[k][lane] = e->k[k];
+	c->per_area[lane] = e->per_area;
+	c->per_moment[lane] = e->per_moment;
+	c->per_torque[lane] = e->per_torque;
+	c->lever[lane] = e->lever;
+	c->tension[lane] = e->tension;
+	c->shear[lane] = e->shear;
+	c->compression[lane] = e->compression;
+}
 
-	ts_bond_never_softens(&e);
-	if (b != TS_BOND_NONE)
-		ts_bond_constants(sim, b, &e);
-	if (soft)
-		fill_softening(sim->bonds, &e, b, soft, lane);
-	r->length[lane] = e.length;
-	r->fraction[lane] = e.fraction;
-	r->per_area[lane] = e.per_area;
-	r->per_moment[lane] = e.per_moment;
-	r->per_torque[lane] = e.per_torque;
-	r->lever[lane] = e.lever;
-	r->tension[lane] = e.tension;
-	r->shear[lane] = e.shear;
-	r->compression[lane] = e.compression;
+/* A lane of row r, except its sections; e: its bond, or that of another lane. */
+static void fill_lane(const struct tsim *sim, size_t r, size_t lane, const struct ts_bond_element *e)
+{
+	const struct ts_bond_rows *rows = &sim->bonds->rows;
+	struct ts_bond_row *l = &rows->row[r];
+	const uint32_t b = l->bond[lane];
+	struct ts_bond_element none = *e;
+
+	ts_bond_never_softens(&none);
+	if (rows->softens)
+		fill_softening(sim->bonds, b == TS_BOND_NONE ? &none : e, b, &rows->soft[r], lane);
+	l->length[lane] = b == TS_BOND_NONE ? 0 : e->length;
+	l->fraction[lane] = e->fraction;
 	for (int k = 0; k < TS_BOND_MODES; k++) {
-		r->k[k][lane] = e.k[k];
-		if (dashpots)
-			dashpots->c[k][lane] = e.c[k];
+		if (rows->damped)
+			rows->dashpots[r].c[k][lane] = b == TS_BOND_NONE ? 0 : e->c[k];
 		for (int s = 0; s < 2; s++)
-			r->frame[s][k][lane] =
+			l->frame[s][k][lane] =
 				b == TS_BOND_NONE ? k == 0 : sim->bonds->reference[b].frame[s][k];
 	}
 }
 
-struct filling {
-	const struct tsim *sim;
-	bool damped, softens;
-};
+/* Where there is no bond the sections are those of the lane before, so that rows differ rarely. */
+static void fill_row(const struct tsim *sim, size_t r)
+{
+	const struct ts_bond_rows *rows = &sim->bonds->rows;
+	struct ts_bond_element e = { .tension = INFINITY, .shear = INFINITY, .compression = INFINITY };
+
+	ts_bond_never_softens(&e);
+	for (size_t lane = 0; lane < TS_BOND_ROW_LANES; lane++) {
+		if (rows->row[r].bond[lane] != TS_BOND_NONE)
+			ts_bond_constants(sim, rows->row[r].bond[lane], &e);
+		fill_lane(sim, r, lane, &e);
+		fill_sections(&rows->sections[r], &e, lane);
+	}
+}
 
 static void fill_rows(void *context, size_t from, size_t to)
 {
-	const struct filling *f = context;
-	const struct ts_bond_rows *rows = &f->sim->bonds->rows;
+	const struct tsim *sim = context;
+	const struct ts_bond_rows *rows = &sim->bonds->rows;
+	size_t kept = from;
 
-	for (size_t r = from; r < to; r++)
-		for (size_t lane = 0; lane < TS_BOND_ROW_LANES; lane++)
-			fill_lane(f->sim, &rows->row[r], f->damped ? &rows->dashpots[r] : NULL,
-				  f->softens ? &rows->soft[r] : NULL, lane);
+	for (size_t r = from; r < to; r++) {
+		fill_row(sim, r);
+		if (memcmp(&rows->sections[kept], &rows->sections[r], sizeof *rows->sections) != 0)
+			kept = r;
+		rows->sections_of[r] = (uint32_t)kept;
+	}
 }
 
 /* ---- broken bonds */
@@ -120,12 +136,12 @@ static void fill_rows(void *context, size_t from, size_t to)
 static void empty_lane(const struct tsim *sim, size_t r, size_t lane)
 {
 	const struct ts_bond_rows *rows = &sim->bonds->rows;
+	const struct ts_bond_element none = { .length = 0 };
 	struct ts_bond_row *row = &rows->row[r];
 
 	row->bond[lane] = TS_BOND_NONE;
 	row->particle[1][lane] = row->particle[0][lane];
-	fill_lane(sim, row, rows->dashpots_capacity >= rows->n ? &rows->dashpots[r] : NULL,
-		  sim->bonds->softens ? &rows->soft[r] : NULL, lane);
+	fill_lane(sim, r, lane, &none);
 }
 
 /* Removes the entries of bonds that have no new number from the sums of all particles. */
@@ -231,7 +247,6 @@ static enum ts_status check_length(struct tsim *sim, size_t b)
 enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped, bool softens)
 {
 	struct ts_bond_rows *rows = &sim->bonds->rows;
-	struct filling f = { sim, damped, softens };
 
 	if (rows->filled)
 		return TS_OK;
@@ -241,7 +256,9 @@ enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped, bool softens)
 		return ts_nomem(&sim->error);
 	if (softens && TS_RENEW(rows->soft, rows->soft_capacity, rows->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_parallel(ts_team(sim, rows->n * TS_BOND_ROW_LANES), rows->n, fill_rows, &f);
+	rows->damped = damped;
+	rows->softens = softens;
+	ts_parallel(ts_team(sim, rows->n * TS_BOND_ROW_LANES), rows->n, fill_rows, sim);
 	rows->filled = true;
 	return TS_OK;
 }

@@ -118,22 +118,23 @@ TS_INLINE void soften(struct row *r, const struct ts_bond_softening *soft, size_
 		e->c[m] *= intact;
 }
 
-TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct ts_bond_dashpots *dashpots,
-			const struct ts_bond_softening *soft, size_t k, struct parts with)
+TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct ts_bond_sections *c,
+			const struct ts_bond_dashpots *dashpots, const struct ts_bond_softening *soft,
+			size_t k, struct parts with)
 {
 	const bool moving = with.moving, softens = with.softens;
 	struct ts_bond_element e = { .length = l->length[k],
 				     .fraction = l->fraction[k],
-				     .k = { l->k[0][k], l->k[1][k], l->k[2][k], l->k[3][k] },
+				     .k = { c->k[0][k], c->k[1][k], c->k[2][k], c->k[3][k] },
 				     .c = { moving ? dashpots->c[0][k] : 0, moving ? dashpots->c[1][k] : 0,
 					    moving ? dashpots->c[2][k] : 0, moving ? dashpots->c[3][k] : 0 },
-				     .per_area = l->per_area[k],
-				     .per_moment = l->per_moment[k],
-				     .per_torque = l->per_torque[k],
-				     .lever = l->lever[k],
-				     .tension = l->tension[k],
-				     .shear = l->shear[k],
-				     .compression = l->compression[k],
+				     .per_area = c->per_area[k],
+				     .per_moment = c->per_moment[k],
+				     .per_torque = c->per_torque[k],
+				     .lever = c->lever[k],
+				     .tension = c->tension[k],
+				     .shear = c->shear[k],
+				     .compression = c->compression[k],
 				     .onset = softens ? soft->onset[k] : 0,
 				     .rupture = softens ? soft->rupture[k] : 0,
 				     .shear_rupture = softens ? soft->shear_rupture[k] : 0,
@@ -168,6 +169,7 @@ TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct
 }
 
 TS_INLINE long evaluate_row(struct row *restrict r, const struct ts_bond_row *restrict l,
+			    const struct ts_bond_sections *restrict c,
 			    const struct ts_bond_dashpots *restrict dashpots,
 			    const struct ts_bond_softening *restrict soft, struct parts with)
 {
@@ -175,7 +177,7 @@ TS_INLINE long evaluate_row(struct row *restrict r, const struct ts_bond_row *re
 
 #pragma omp simd reduction(+ : broken)
 	for (size_t k = 0; k < LANES; k++)
-		broken += evaluate(r, l, dashpots, soft, k, with);
+		broken += evaluate(r, l, c, dashpots, soft, k, with);
 	return broken;
 }
 
@@ -260,7 +262,8 @@ TS_INLINE long compute_rows(const struct ts_bond_task *t, size_t from, size_t n,
 		load_row(t, &l[k], with.moving, &r[k]);
 	for (size_t k = 0; k < n; k++) {
 		apply_nearest_image(t->box, &r[k]);
-		broken += evaluate_row(&r[k], &l[k], with.moving ? &rows->dashpots[from + k] : NULL,
+		broken += evaluate_row(&r[k], &l[k], &rows->sections[rows->sections_of[from + k]],
+				       with.moving ? &rows->dashpots[from + k] : NULL,
 				       with.softens ? &rows->soft[from + k] : NULL, with);
 	}
 	for (size_t k = 0; k < n; k++)

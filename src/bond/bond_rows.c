@@ -194,6 +194,8 @@ static enum ts_status list_rows(struct listing *t)
 	if (!t->slot_of || !t->free || !t->used)
 		return TS_NOMEM;
 	TS_TRY(TS_RENEW(rows->row, rows->row_capacity, rows->n));
+	TS_TRY(TS_RENEW(rows->sections, rows->sections_capacity, rows->n));
+	TS_TRY(TS_RENEW(rows->sections_of, rows->sections_of_capacity, rows->n));
 	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, 2 * b->n));
 	ts_parallel(rows->shares, (size_t)rows->shares, list_shares, t);
 	return TS_RENEW(rows->result, rows->result_capacity, offset_slots(t));
@@ -220,6 +222,8 @@ void ts_bond_rows_release(struct ts_bond_rows *rows)
 {
 	ts_free(rows->first);
 	ts_free(rows->row);
+	ts_free(rows->sections);
+	ts_free(rows->sections_of);
 	ts_free(rows->dashpots);
 	ts_free(rows->soft);
 	ts_free(rows->sum);

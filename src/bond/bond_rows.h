@@ -21,13 +21,19 @@ struct ts_bonds;
 enum { TS_BOND_CHUNK = 64 };	/* particles */
 enum { TS_BOND_ROW_LANES = 8 }; /* bonds of a row */
 
-/* A row of bonds and their constants (law/bond_element.h). Where there is no bond, all stiffnesses are 0. */
+/* A row of bonds, and the constants (law/bond_element.h) in which most bonds differ. Where there is no bond, both
+ * partners are the same particle, and the length is 0. */
 struct ts_bond_row {
 	int32_t particle[2][TS_BOND_ROW_LANES]; /* local indices of the partners */
 	uint32_t bond[TS_BOND_ROW_LANES];	/* TS_BOND_NONE: no bond */
 	uint32_t slot[TS_BOND_ROW_LANES];	/* where the result is put */
 	double frame[2][4][TS_BOND_ROW_LANES];	/* of ts_bond_reference */
-	double length[TS_BOND_ROW_LANES], fraction[TS_BOND_ROW_LANES], k[4][TS_BOND_ROW_LANES];
+	double length[TS_BOND_ROW_LANES], fraction[TS_BOND_ROW_LANES];
+};
+
+/* The other constants of a row. Rows of equal bonds share them, which halves what is read from memory. */
+struct ts_bond_sections {
+	double k[4][TS_BOND_ROW_LANES];
 	double per_area[TS_BOND_ROW_LANES], per_moment[TS_BOND_ROW_LANES], per_torque[TS_BOND_ROW_LANES],
 		lever[TS_BOND_ROW_LANES];
 	double tension[TS_BOND_ROW_LANES], shear[TS_BOND_ROW_LANES], compression[TS_BOND_ROW_LANES];
@@ -53,6 +59,8 @@ struct ts_bond_result {
 struct ts_bond_rows {
 	size_t *first;			   /* rows of chunk c: first[c] .. first[c + 1] - 1 */
 	struct ts_bond_row *row;	   /* [n] */
+	struct ts_bond_sections *sections; /* [n] */
+	uint32_t *sections_of;		   /* [n]: index in sections */
 	struct ts_bond_dashpots *dashpots; /* [n] if a bond is damped, else NULL */
 	struct ts_bond_softening *soft;	   /* [n] if a bond softens, else NULL */
 	/* 2 slot + side of the bonds of each particle, in the order of ts_bonds.gather */
@@ -60,8 +68,10 @@ struct ts_bond_rows {
 	struct ts_bond_result *result; /* slots; the first of each share is for lanes without a bond */
 	size_t n, particles, chunks;
 	int shares;
-	bool filled; /* constants are up to date */
-	size_t first_capacity, row_capacity, dashpots_capacity, soft_capacity, sum_capacity, result_capacity;
+	bool filled;	      /* constants are up to date */
+	bool damped, softens; /* what has been filled in besides */
+	size_t first_capacity, row_capacity, sections_capacity, sections_of_capacity, dashpots_capacity,
+		soft_capacity, sum_capacity, result_capacity;
 };
 
 /* Lists the bonds; their gather must be up to date. The constants are not filled in. */

@@ -9,19 +9,20 @@
 #include "bond/bond_shares.h"
 #include "law/bond_element.h"
 
-TS_INLINE void ts_bond_element_of_lane(const struct ts_bond_row *l, const struct ts_bond_dashpots *dashpots,
-				       size_t k, struct ts_bond_element *e)
+TS_INLINE void ts_bond_element_of_lane(const struct ts_bond_row *l, const struct ts_bond_sections *c,
+				       const struct ts_bond_dashpots *dashpots, size_t k,
+				       struct ts_bond_element *e)
 {
 	*e = (struct ts_bond_element){ .length = l->length[k],
 				       .fraction = l->fraction[k],
-				       .k = { l->k[0][k], l->k[1][k], l->k[2][k], l->k[3][k] },
-				       .per_area = l->per_area[k],
-				       .per_moment = l->per_moment[k],
-				       .per_torque = l->per_torque[k],
-				       .lever = l->lever[k],
-				       .tension = l->tension[k],
-				       .shear = l->shear[k],
-				       .compression = l->compression[k] };
+				       .k = { c->k[0][k], c->k[1][k], c->k[2][k], c->k[3][k] },
+				       .per_area = c->per_area[k],
+				       .per_moment = c->per_moment[k],
+				       .per_torque = c->per_torque[k],
+				       .lever = c->lever[k],
+				       .tension = c->tension[k],
+				       .shear = c->shear[k],
+				       .compression = c->compression[k] };
 	for (int m = 0; dashpots && m < TS_BOND_MODES; m++)
 		e->c[m] = dashpots->c[m][k];
 }
@@ -80,7 +81,8 @@ TS_INLINE bool ts_bond_compute_lane(const struct ts_bond_task *t, size_t row, si
 	struct ts_bond_answer a;
 	bool holds;
 
-	ts_bond_element_of_lane(l, t->moving ? &rows->dashpots[row] : NULL, lane, &e);
+	ts_bond_element_of_lane(l, &rows->sections[rows->sections_of[row]],
+				t->moving ? &rows->dashpots[row] : NULL, lane, &e);
 	ts_bond_ends_of_lane(t, l, lane, &ends);
 	holds = law(ts_coeff(t->coeffs, (size_t)t->bonds->type[b]), &e, &ends, true, &a);
 	if ((!holds || t->store) && (size_t)l->particle[0][lane] >= begin &&

@@ -399,7 +399,8 @@ static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, 
 	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);
 
 	if (b->transmits)
-		bytes += sizeof *b->reference + sizeof *b->load + sizeof(struct ts_bond_row) / TS_BOND_LANES;
+		bytes += sizeof *b->reference + sizeof *b->load +
+			 (sizeof(struct ts_bond_row) + sizeof(struct ts_bond_sections)) / TS_BOND_LANES;
 	if (b->softens)
 		bytes += sizeof *b->damage + sizeof *b->lost +
 			 sizeof(struct ts_bond_softening) / TS_BOND_LANES;
