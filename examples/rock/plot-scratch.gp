@@ -1,9 +1,9 @@
 # Scratch tests: energy and force against depth, the force along the path, and the block cut open, grains coloured by
 # fragment. Called by ./study-scratch; after one run of in.scratch, with its files in post:
 #   gnuplot -e "run='post'" plot-scratch.gp        draws the lower half only
-table = 'results/scratch.txt'
+table = 'post/scratch.txt'
 study = !exists("run")
-if (study) { run = 'results/scratch.1.2.5'; out = 'results/scratch' } else { out = run.'/scratch' }
+if (study) { run = 'post/scratch.1.2.5'; out = 'post/scratch' } else { out = run.'/scratch' }
 d = 1.5e-3
 strength = study ? real(system("sed -nE 's/^# strength.*: ([0-9.]+) MPa/\\1/p' ".table)) : 0
 set grid lc rgb '#dddddd'

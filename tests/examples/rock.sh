@@ -42,6 +42,12 @@ number q_u_MPa "$(awk "BEGIN { print 3.96*$q }")" "$(awk "BEGIN { print 4.04*$q 
 report 'in.ucs ends well with bonds that soften' $? soft
 number E_GPa 40 60 soft
 number q_u_MPa "$(awk "BEGIN { print 0.98*$q }")" 400 soft
+"$TSIM" -in in.ucs $small -var steps 2000 -var soften 0.1 -var soften_by both >soft 2>&1
+number q_u_MPa "$(awk "BEGIN { print 1.2*$q }")" 500 soft
+"$TSIM" -in in.ucs $small -var steps 2000 -var friction_angle 30 -var shear_ratio 0.7 >rubs 2>&1
+"$TSIM" -in in.ucs $small -var steps 2000 -var shear_ratio 0.7 >slides 2>&1
+report 'in.ucs ends well with bonds of small shear strength' $? slides
+number q_u_MPa "$(awk '$2 == "q_u_MPa" { print 1.02 * $3 }' slides)" 400 rubs
 "$TSIM" -in in.ucs -var shape cylinder -var width 6 -var length 10 -var steps 2000 -log none >out 2>&1
 report 'a cylinder' $? out
 number E_GPa 40 65

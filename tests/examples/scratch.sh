@@ -26,6 +26,15 @@ awk -v alone="$(number 'of 10 and more' made)" -v largest="$(number 'largest chi
 	      exit !(!off && most == largest && alone > 5) }' post/scratch.dump
 report 'fragments have the sizes that are listed, the largest chip is the one reported' $? made
 
+# bonds that soften by tension and shear: the same cut needs more energy
+"$TSIM" -in in.scratch $small -var locked 4e6 -var speed 20 -var out again -var soften 0.1 -var soften_by both >tough 2>&1
+report 'a scratch of tough rock' $? tough
+awk '$1 == "SCRATCH" { e[FILENAME] = $5 } END { exit !(e["tough"] > 1.5 * e["made"]) }' made tough
+report 'it needs more energy' $? tough
+# 175e6^2 (1 + 1/0.1) 1.5e-3/(2 62e9)
+[ "$(number 'energy of bonds    G.d' tough | cut -c1-4)" = 2.71 ]
+report 'the energy of its bonds' $? tough
+
 # four times the stiffness and strength, twice the speed: all stresses are four times as large. Seen where the force
 # first rises: later the rounding of broken bonds has grown.
 "$TSIM" -in in.scratch $small -var Ec 248e9 -var Ebond 248e9 -var strength 700e6 -var locked 16e6 -var speed 40 \
