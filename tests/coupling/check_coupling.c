@@ -58,6 +58,30 @@ START_TEST(corners_of_a_ball)
 }
 END_TEST
 
+/* All corners at once are bitwise the same, whatever planes cut the ball. */
+START_TEST(corners_at_once)
+{
+	static const double cut[] = { -1, -0.99, -0.57, -0.2, -0., 0, 1e-9, 0.3, 0.57, 0.8, 0.999 };
+	const size_t n = DECK_LENGTH(cut);
+
+	for (size_t k = 0; k < n * n * n; k++) {
+		const double a[3] = { cut[k % n], cut[k / n % n], cut[k / n / n] };
+
+		for (int set = 0; set < 8; set++) {
+			const bool cuts[3] = { set & 1, set & 2, set & 4 };
+			double out[8];
+
+			ts_ball_corners(a, cuts, out);
+			for (int c = 0; c < 8; c++)
+				if ((c & set) == c)
+					deck_assert(out[c] == ts_ball_corner(c & 1 ? a[0] : -1.3,
+									     c & 2 ? a[1] : -1,
+									     c & 4 ? a[2] : -2));
+		}
+	}
+}
+END_TEST
+
 /* ---- a grid by itself, graded along y, periodic along x, with outlets along z */
 
 static void make_fluid(struct ts_fluid *fluid)
@@ -386,6 +410,7 @@ int main(void)
 	TCase *c = tcase_create("grid");
 
 	tcase_add_test(c, corners_of_a_ball);
+	tcase_add_test(c, corners_at_once);
 	tcase_add_test(c, what_is_laid_down_is_all_of_it);
 	tcase_add_test(c, divided_volumes);
 	tcase_add_loop_test(c, void_fraction_keeps_the_volume, 0, 3);
