@@ -6,6 +6,8 @@
 #include <zlib.h>
 
 #include "base/alloc.h"
+#include "base/clones.h"
+#include "base/inline.h"
 #include "io/replace.h"
 
 #include "base/banned.h"
@@ -38,9 +40,9 @@ static void add_chunk(struct ts_str *out, const char *type, const unsigned char 
 
 enum { NONE, LEFT, UP, PAETH = 4 };
 
-static int predict(int filter, int a, int b, int c)
+TS_INLINE int predict(int filter, int a, int b, int c)
 {
-	const int p = a + b - c;
+	const int p = a + b - c, to_a = abs(p - a), to_b = abs(p - b), to_c = abs(p - c);
 
 	if (filter == LEFT)
 		return a;
@@ -48,25 +50,46 @@ static int predict(int filter, int a, int b, int c)
 		return b;
 	if (filter != PAETH)
 		return 0;
-	if (abs(p - a) <= abs(p - b) && abs(p - a) <= abs(p - c))
-		return a;
-	return abs(p - b) <= abs(p - c) ? b : c;
+	return to_a <= to_b && to_a <= to_c ? a : to_b <= to_c ? b : c;
 }
 
-/* Returns the sum of the differences as signed bytes: the least one compresses best, as a rule. */
-static unsigned long filter_row(int filter, const unsigned char *row, const unsigned char *above, size_t n,
-				unsigned char *out)
+TS_INLINE unsigned weight(unsigned char difference)
+{
+	return difference < 128 ? difference : 256u - difference;
+}
+
+/* With a constant filter the loop is vectorized. */
+TS_INLINE unsigned long filter_by(int filter, const unsigned char *restrict row,
+				  const unsigned char *restrict above, size_t n, unsigned char *restrict out)
 {
 	unsigned long sum = 0;
 
-	for (size_t k = 0; k < n; k++) {
-		const int a = k < 3 ? 0 : row[k - 3], b = above ? above[k] : 0,
-			  c = above && k >= 3 ? above[k - 3] : 0;
+	for (size_t k = 0; k < 3 && k < n; k++) {
+		out[k] = (unsigned char)(row[k] - predict(filter, 0, above[k], 0));
+		sum += weight(out[k]);
+	}
+	for (size_t from = 3; from < n; from += 4096) { /* sums of parts fit 32 bits */
+		const size_t to = from + 4096 < n ? from + 4096 : n;
+		unsigned part = 0;
 
-		out[k] = (unsigned char)(row[k] - predict(filter, a, b, c));
-		sum += (unsigned long)(out[k] < 128 ? out[k] : 256 - out[k]);
+		for (size_t k = from; k < to; k++) {
+			out[k] =
+				(unsigned char)(row[k] - predict(filter, row[k - 3], above[k], above[k - 3]));
+			part += weight(out[k]);
+		}
+		sum += part;
 	}
 	return sum;
+}
+
+/* Returns the sum of the differences as signed bytes: the least one compresses best, as a rule. */
+TS_CLONES static unsigned long filter_row(int filter, const unsigned char *row, const unsigned char *above,
+					  size_t n, unsigned char *out)
+{
+	return filter == LEFT	? filter_by(LEFT, row, above, n, out)
+	       : filter == UP	? filter_by(UP, row, above, n, out)
+	       : filter == NONE ? filter_by(NONE, row, above, n, out)
+				: filter_by(PAETH, row, above, n, out);
 }
 
 /* The best filter of a row, its number first; `spare`: memory for a row. */
@@ -87,12 +110,18 @@ static void choose_filter(const unsigned char *row, const unsigned char *above, 
 	}
 }
 
+/* Of zlib: 6 takes three times as long for files that are 3 to 8 % smaller. */
+enum { LEVEL = 4 };
+
 /* Rows after their filters, compressed. */
 static enum ts_status pack(uint32_t width, uint32_t height, const unsigned char *rgb, unsigned char **packed,
 			   uLong *n)
 {
 	const size_t row = 3 * (size_t)width;
-	unsigned char *plain = ts_alloc(height + 1, row + 1); /* and a row to try filters */
+	unsigned char *plain =
+		ts_alloc(height + 2, row + 1); /* a row to try filters, and the one above the first, of 0 */
+	unsigned char *spare = plain ? plain + height * (row + 1) : NULL,
+		      *zero = spare ? spare + row + 1 : NULL;
 	int code;
 
 	*n = compressBound((uLong)(height * (row + 1)));
@@ -101,10 +130,11 @@ static enum ts_status pack(uint32_t width, uint32_t height, const unsigned char 
 		ts_free(plain);
 		return TS_NOMEM;
 	}
+	memset(zero, 0, row);
 	for (size_t y = 0; y < height; y++)
-		choose_filter(rgb + y * row, y ? rgb + (y - 1) * row : NULL, row, plain + height * (row + 1),
+		choose_filter(rgb + y * row, y ? rgb + (y - 1) * row : zero, row, spare,
 			      plain + y * (row + 1));
-	code = compress2(*packed, n, plain, (uLong)(height * (row + 1)), 6);
+	code = compress2(*packed, n, plain, (uLong)(height * (row + 1)), LEVEL);
 	ts_free(plain);
 	return code == Z_OK ? TS_OK : TS_NOMEM;
 }
