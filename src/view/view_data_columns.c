@@ -252,11 +252,25 @@ static const char *part_of(struct ts_view_data *v, const char *from, size_t n)
 	return copy;
 }
 
+/* The `=` before a label; those of == != <= >= belong to a formula. NULL: there is none. */
+static const char *find_label(const char *word)
+{
+	for (const char *at = word; (at = strchr(at, '='));) {
+		if (at[1] == '=')
+			at += 2;
+		else if (at > word && strchr("!<>", at[-1]))
+			at++;
+		else
+			return at;
+	}
+	return NULL;
+}
+
 /* NAME[+-ERROR][=LABEL], each a name or a formula; a column that has the whole word as its name goes first. */
 static enum ts_status parse_column(struct ts_view_data *v, struct ts_view_file *f, const char *word,
 				   struct ts_view_column *out)
 {
-	const char *equal = strchr(word, '='), *error = strstr(word, "+-"), *name = word, *error_name = NULL;
+	const char *equal = find_label(word), *error = strstr(word, "+-"), *name = word, *error_name = NULL;
 	size_t n = strlen(word);
 
 	*out = (struct ts_view_column){ .error = SIZE_MAX };

@@ -234,6 +234,9 @@ printf 't,share,scaled\n1,40,10\n2,100,20\n3,61.53846153846154,30\n' >direct.csv
 "$TSIM" -plot formulas '100*ke/(ke+pe)=share' '$1*10=scaled' -x 't*2' -xlabel t -title '' -o formulas.svg >out 2>&1 &&
 	"$TSIM" -plot direct.csv share scaled -x t*2 -xlabel t -title '' -o direct.svg >>out 2>&1
 same 'formulas are columns' formulas.svg direct.svg
+"$TSIM" -plot formulas 'ke/(t!=2)/(pe>=3)=where pe is large' -o some.svg >out 2>&1 &&
+	grep -q '>where pe is large<' some.svg && grep -q '>1 of 3 points not shown' some.svg
+report 'a formula that selects rows' $? out
 "$TSIM" -plot formulas 'sqrt(c_x[2])/pe' >out 2>&1 && grep -q '^1 of 3 points not shown: not finite' out
 report 'a row without a value' $? out
 fails 'a formula without one' 1 'division of 2 by zero' -plot formulas 'ke/(pe-pe)'
