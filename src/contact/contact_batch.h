@@ -12,16 +12,42 @@ struct ts_batch {
 	 * j */
 	double d[3][TS_BATCH], v[4][TS_BATCH], omega[2][4][TS_BATCH];
 	double mass[2][TS_BATCH];
+	double r_eff[TS_BATCH], m_eff[TS_BATCH]; /* R*, m* */
 	/* results, zero for pairs that do not touch; touch: all bits set if the pair touches, else 0 */
 	long long touch[TS_BATCH];
 	double force[4][TS_BATCH], tangential_torque[3][TS_BATCH], rolling_torque[3][TS_BATCH];
-	/* history columns of the block; last, as the members before it are aligned */
-	double *memory[TS_GRANULAR_MEMORY];
+	/* the rest is last, as the members before it are aligned: the history columns of the block; radii and 1/m_i +
+	 * 1/m_j that all pairs have if all numbers of r_eff and m_eff are theirs, else alike[0] is no number */
+	double *memory[TS_GRANULAR_MEMORY], alike[3];
 } __attribute__((aligned(64)));
 
 /* (a + signs b): differences of the three components, sum of the fourth numbers */
 static const ts_four ts_contact_signs = { -1, -1, -1, 1 };
 #define TS_ALIGNED_FOUR(numbers) (*(const ts_four *)(numbers))
+
+TS_INLINE void ts_batch_start(struct ts_batch *b)
+{
+	b->alike[0] = NAN;
+}
+
+struct ts_batch_particle {
+	const struct ts_contact_sphere *sphere;
+	const struct ts_contact_motion *motion;
+};
+
+/* The two records of a particle. Their sizes are 4 and 8 times 8 bytes, factors that addresses of x86 may contain, so
+ * both follow from one shifted index; the empty instruction prevents that the compiler shifts it twice. */
+TS_INLINE struct ts_batch_particle ts_batch_particle(const struct ts_contact_list *list, int32_t particle)
+{
+	size_t at = (size_t)particle * 8;
+
+	_Static_assert(sizeof *list->sphere == 4 * 8 && sizeof *list->motion == 8 * 8, "see above");
+	__asm__("" : "+r"(at));
+	return (struct ts_batch_particle){
+		(const struct ts_contact_sphere *)((const char *)list->sphere + 4 * at),
+		(const struct ts_contact_motion *)((const char *)list->motion + 8 * at),
+	};
+}
 
 /* Loads four active pairs into the places at .. at+3 of the batch. */
 TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_contact_list *list,
@@ -31,13 +57,14 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_conta
 	ts_four d[4], v[4], wi[4], wj[4];
 
 	for (size_t k = 0; k < 4; k++) {
-		const struct ts_contact_sphere *i = list->sphere + active[k].i,
-					       *j = list->sphere + active[k].j;
+		struct ts_batch_particle i = ts_batch_particle(list, active[k].i),
+					 j = ts_batch_particle(list, active[k].j);
 
-		d[k] = TS_ALIGNED_FOUR(i->position) - TS_ALIGNED_FOUR(j->position);
-		v[k] = TS_ALIGNED_FOUR(i->velocity) + ts_contact_signs * TS_ALIGNED_FOUR(j->velocity);
-		wi[k] = TS_ALIGNED_FOUR(i->omega);
-		wj[k] = TS_ALIGNED_FOUR(j->omega);
+		d[k] = TS_ALIGNED_FOUR(i.sphere->position) - TS_ALIGNED_FOUR(j.sphere->position);
+		v[k] = TS_ALIGNED_FOUR(i.motion->velocity) +
+		       ts_contact_signs * TS_ALIGNED_FOUR(j.motion->velocity);
+		wi[k] = TS_ALIGNED_FOUR(i.motion->omega);
+		wj[k] = TS_ALIGNED_FOUR(j.motion->omega);
 		if (ts_granular_needs_masses(m)) {
 			b->mass[0][at + k] = p->mass[active[k].i];
 			b->mass[1][at + k] = p->mass[active[k].j];
@@ -61,7 +88,56 @@ TS_INLINE void ts_batch_inputs(const struct ts_batch *b, size_t k, struct ts_con
 		.radius = { b->omega[0][3][k], b->omega[1][3][k] },
 		.mass = { b->mass[0][k], b->mass[1][k] },
 		.imass = b->v[3][k],
+		.r_eff = b->r_eff[k],
+		.m_eff = b->m_eff[k],
 	};
+}
+
+TS_INLINE void ts_batch_reduce_at(struct ts_batch *b, size_t k)
+{
+	struct ts_contact_inputs e;
+
+	ts_batch_inputs(b, k, &e);
+	ts_contact_inputs_reduce(&e);
+	b->r_eff[k] = e.r_eff;
+	b->m_eff[k] = e.m_eff;
+}
+
+/* Whether all n pairs, n a multiple of four, have the radii and 1/m_i + 1/m_j b->alike. */
+TS_INLINE bool ts_batch_is_alike(const struct ts_batch *b, size_t n)
+{
+	const ts_four ri = TS_FOUR_BROADCAST(b->alike[0]), rj = TS_FOUR_BROADCAST(b->alike[1]),
+		      imass = TS_FOUR_BROADCAST(b->alike[2]);
+	ts_four_marks differ = { 0 };
+
+	for (size_t k = 0; k < n; k += 4)
+		differ |= (TS_ALIGNED_FOUR(&b->omega[0][3][k]) != ri) |
+			  (TS_ALIGNED_FOUR(&b->omega[1][3][k]) != rj) |
+			  (TS_ALIGNED_FOUR(&b->v[3][k]) != imass);
+	return !(differ[0] | differ[1] | differ[2] | differ[3]);
+}
+
+/* R* and m* of the n pairs. Divisions take most of the time of a law: where all pairs have the same radii and masses, one
+ * division serves all, also those of later batches, with the same bits. */
+TS_INLINE void ts_batch_reduce(struct ts_batch *b, size_t n)
+{
+	const double first[3] = { b->omega[0][3][0], b->omega[1][3][0], b->v[3][0] };
+	bool other = first[0] != b->alike[0] || first[1] != b->alike[1] || first[2] != b->alike[2];
+
+	for (int c = 0; other && c < 3; c++)
+		b->alike[c] = first[c];
+	if (!ts_batch_is_alike(b, n)) {
+		b->alike[0] = NAN;
+#pragma omp simd
+		for (size_t k = 0; k < n; k++)
+			ts_batch_reduce_at(b, k);
+	} else if (other) {
+		ts_batch_reduce_at(b, 0);
+		for (size_t k = 1; k < TS_BATCH; k++) {
+			b->r_eff[k] = b->r_eff[0];
+			b->m_eff[k] = b->m_eff[0];
+		}
+	}
 }
 
 /* Whether the distance is less than the sum of the radii plus `beyond` (> 0: range of attraction, length). */
@@ -246,10 +322,10 @@ TS_INLINE void ts_batch_prefetch(const struct ts_contact_list *list, const struc
 
 #pragma GCC unroll 4
 	for (size_t k = 0; k < block->touching; k++) {
-		const struct ts_contact_sphere *j = list->sphere + active[k].j;
+		struct ts_batch_particle j = ts_batch_particle(list, active[k].j);
 
-		__builtin_prefetch(j->position);
-		__builtin_prefetch(j->omega);
+		__builtin_prefetch(j.sphere);
+		__builtin_prefetch(j.motion);
 	}
 #pragma GCC unroll 4
 	for (size_t k = block->touching; k < block->n; k++)
@@ -274,35 +350,37 @@ TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, con
 					 const struct ts_contact_list *list,
 					 const struct ts_granular_model *m, size_t parts,
 					 ts_batch_fn *contacts, const struct ts_active_block *block,
-					 size_t part)
+					 size_t part, struct ts_batch *b)
 {
 	const struct ts_active_pair *active = list->active + block->first + part * TS_BATCH;
 	const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
 	size_t some = block->touching - part * TS_BATCH, n, whole;
 	struct ts_active_pair tail[TS_MEMORY_VECTOR];
-	struct ts_batch b;
 
 	some = some < TS_BATCH ? some : TS_BATCH;
 	whole = ts_batch_pad_tail(active, some, tail);
 	n = whole < some ? whole + TS_MEMORY_VECTOR : whole;
 	for (int c = 0; c < ts_granular_memory(m); c++)
-		b.memory[c] = ts_contact_memory(list, block, part * TS_BATCH, (size_t)c);
+		b->memory[c] = ts_contact_memory(list, block, part * TS_BATCH, (size_t)c);
 	for (size_t at = 0; at < whole; at += 4)
-		ts_batch_load(p, list, m, active + at, at, &b);
+		ts_batch_load(p, list, m, active + at, at, b);
 	for (size_t at = whole; at < n; at += 4)
-		ts_batch_load(p, list, m, &tail[at - whole], at, &b);
-	contacts(&b, n, m, law, task->dt);
+		ts_batch_load(p, list, m, &tail[at - whole], at, b);
+	ts_batch_reduce(b, n);
+	contacts(b, n, m, law, task->dt);
 	for (size_t at = 0; at < whole; at += 4)
-		ts_batch_store(&b, parts, active + at, at, 4, list);
+		ts_batch_store(b, parts, active + at, at, 4, list);
 	for (size_t at = whole; at < some; at += 4)
-		ts_batch_store(&b, parts, &tail[at - whole], at, some - at, list);
-	return ts_batch_bits(b.touch, some);
+		ts_batch_store(b, parts, &tail[at - whole], at, some - at, list);
+	return ts_batch_bits(b->touch, some);
 }
 
-/* Computes one block, which others follow (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list. */
+/* Computes one block, which others follow (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list; b: of the blocks
+ * before, too. */
 TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct ts_particles *p,
 			      const struct ts_contact_list *list, const struct ts_granular_model *m,
-			      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block)
+			      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block,
+			      struct ts_batch *b)
 {
 	uint64_t touching[TS_ACTIVE_BLOCK / TS_BATCH];
 
@@ -310,7 +388,7 @@ TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct t
 	ts_batch_prefetch(list, m, block + 1);
 	ts_batch_begin_contacts(list, block);
 	for (size_t part = 0; part * TS_BATCH < block->touching; part++)
-		touching[part] = ts_batch_compute_part(task, p, list, m, parts, contacts, block, part);
+		touching[part] = ts_batch_compute_part(task, p, list, m, parts, contacts, block, part, b);
 	ts_batch_end_contacts(list, block, touching, task->keep);
 }
 
@@ -320,9 +398,11 @@ TS_INLINE void ts_contact_share_batched(const struct ts_contact_task *task, size
 {
 	const struct ts_particles p = *task->p;
 	const struct ts_contact_list list = *task->list;
+	struct ts_batch b;
 
+	ts_batch_start(&b);
 	for (size_t k = from; k < to; k++)
-		ts_batch_block(task, &p, &list, m, ts_batch_parts(m), contacts, &list.block[k]);
+		ts_batch_block(task, &p, &list, m, ts_batch_parts(m), contacts, &list.block[k], &b);
 }
 
 #endif

@@ -75,8 +75,16 @@ TS_INLINE void ts_contact_clear_result(const struct ts_contact_list *list, size_
 struct ts_contact_inputs {
 	double d[3], v[3]; /* x_i - x_j, v_i - v_j: length, velocity */
 	double omega[2][3], radius[2], mass[2], liquid[2];
-	double imass; /* 1/m_i + 1/m_j */
+	double imass;	     /* 1/m_i + 1/m_j */
+	double r_eff, m_eff; /* R*, m*: ts_contact_inputs_reduce */
 };
+
+/* R* and m*, of the radii and imass. */
+TS_INLINE void ts_contact_inputs_reduce(struct ts_contact_inputs *e)
+{
+	e->r_eff = e->radius[0] * e->radius[1] / (e->radius[0] + e->radius[1]);
+	e->m_eff = 1 / e->imass;
+}
 
 TS_INLINE void ts_contact_inputs(const struct ts_particles *p, size_t i, size_t j,
 				 const struct ts_granular_model *m, struct ts_contact_inputs *e)
@@ -98,6 +106,7 @@ TS_INLINE void ts_contact_inputs(const struct ts_particles *p, size_t i, size_t 
 	e->mass[0] = p->mass[i];
 	e->mass[1] = p->mass[j];
 	e->imass = p->imass[i] + p->imass[j];
+	ts_contact_inputs_reduce(e);
 }
 
 TS_INLINE void ts_contact_inputs_touch(const struct ts_contact_inputs *e, const struct ts_granular_model *m,
@@ -114,8 +123,8 @@ TS_INLINE void ts_contact_inputs_touch(const struct ts_contact_inputs *e, const 
 	t->radius[0] = e->radius[0];
 	t->radius[1] = e->radius[1];
 	t->overlap = t->radius[0] + t->radius[1] - distance;
-	t->r_eff = t->radius[0] * t->radius[1] / (t->radius[0] + t->radius[1]);
-	t->m_eff = 1 / e->imass;
+	t->r_eff = e->r_eff;
+	t->m_eff = e->m_eff;
 	t->mass[0] = e->mass[0];
 	t->mass[1] = e->mass[1];
 	t->liquid[0] = e->liquid[0];

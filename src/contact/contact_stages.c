@@ -82,12 +82,14 @@ TS_CLONES static void compute_blocks(const struct ts_contact_task *task, size_t 
 {
 	const struct ts_particles p = *task->p;
 	const struct ts_contact_list list = *task->list;
+	struct ts_batch b;
 
+	ts_batch_start(&b);
 	for (size_t k = from; k < to; k++) {
 		struct ts_active_block *block = &list.block[k];
 
 		ts_batch_block(task, &p, &list, ts_pair_model(task->pair, block->type[0], block->type[1]),
-			       (size_t)list.parts, compute_batch, block);
+			       (size_t)list.parts, compute_batch, block, &b);
 	}
 }
 

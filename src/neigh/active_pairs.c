@@ -15,8 +15,8 @@
 
 /* Packs the particles from .. to-1. most: squares of the largest displacements since they were packed last,
  * in x, y and z, length^2; most[3] > 0 if a radius has changed. */
-TS_CLONES static void pack_spheres(const struct ts_particles *p, struct ts_contact_sphere *out, size_t from,
-				   size_t to, double most[4])
+TS_CLONES static void pack_spheres(const struct ts_particles *p, struct ts_contact_sphere *sphere,
+				   struct ts_contact_motion *motion, size_t from, size_t to, double most[4])
 {
 	ts_four largest = { 0 };
 
@@ -28,11 +28,11 @@ TS_CLONES static void pack_spheres(const struct ts_particles *p, struct ts_conta
 		if (p->omega)
 			omega = TS_FOUR_LOAD(p->omega[i]);
 		omega[3] = p->radius[i];
-		step = now - *(ts_four *)out[i].position;
+		step = now - *(ts_four *)sphere[i].position;
 		step *= step;
-		*(ts_four *)out[i].position = now;
-		*(ts_four *)out[i].velocity = velocity;
-		*(ts_four *)out[i].omega = omega;
+		*(ts_four *)sphere[i].position = now;
+		*(ts_four *)motion[i].velocity = velocity;
+		*(ts_four *)motion[i].omega = omega;
 		ts_four_max(&largest, &step);
 	}
 	for (int k = 0; k < 4; k++)
@@ -49,7 +49,7 @@ static void pack_share(void *context, size_t from, size_t to)
 	const struct packing *g = context;
 	double most[4], displacement, known;
 
-	pack_spheres(g->p, g->list->sphere, from, to, most);
+	pack_spheres(g->p, g->list->sphere, g->list->motion, from, to, most);
 	/* after a change of radius there is no bound of the approach of surfaces */
 	displacement = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
 #pragma omp atomic read

@@ -146,6 +146,7 @@ static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list
 static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list *list,
 				       struct ts_contact_search *found, struct ts_contact_history *old)
 {
+	size_t all = sim->particles->n + sim->particles->nghost;
 	struct fill_task task = { list, found };
 
 	if (sim->legacy)
@@ -154,7 +155,8 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));
 	TS_TRY(ts_contact_search(sim, found));
 	if (note_particles(sim, list) != TS_OK || reserve_pairs(list, found->n) != TS_OK ||
-	    TS_GROW(list->sphere, list->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
+	    TS_GROW(list->sphere, list->sphere_capacity, all) != TS_OK ||
+	    TS_GROW(list->motion, list->motion_capacity, all) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->n = found->n;
 	list->skin = found->skin;
@@ -242,6 +244,7 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->history);
 	ts_free(list->memory);
 	ts_free(list->sphere);
+	ts_free(list->motion);
 	ts_free(list->span);
 	ts_free(list->active);
 	ts_free(list->block);

@@ -19,12 +19,15 @@
 #include "neigh/gather.h"
 #include "particle/particles.h"
 
-/* What contact laws read of a particle, packed once a step so that the loops load it as whole vectors. */
+/* What contact laws read of a particle, packed once a step so that the loops load it as whole vectors: the sphere,
+ * which decides whether a pair touches, and the motion, which is read of touching pairs only. */
 struct ts_contact_sphere {
 	double position[4]; /* x, y, z and radius, length */
+} __attribute__((aligned(32)));
+struct ts_contact_motion {
 	double velocity[4]; /* velocity, length/time; 1/mass, 0 for immobile particles */
 	double omega[4];    /* angular velocity, 1/time; radius again, length */
-} __attribute__((aligned(32)));
+} __attribute__((aligned(64)));
 
 /* Displacement of both surfaces of a pair in this step, caused by the other contacts of its particles
  * (law/halfspace.h), and the effective radius R* of the displaced surfaces; both lengths. */
@@ -105,8 +108,9 @@ struct ts_contact_list {
 
 	struct ts_gather gather;	  /* the candidate pairs of each local particle */
 	struct ts_contact_sphere *sphere; /* of all particles, ghosts included, in this step */
-	size_t sphere_capacity;
-	bool locals_packed;  /* `sphere` of the local particles is that of this step */
+	struct ts_contact_motion *motion;
+	size_t sphere_capacity, motion_capacity;
+	bool locals_packed;  /* `sphere` and `motion` of the local particles is that of this step */
 	double displacement; /* largest displacement of a particle since the last step so far, length */
 
 	/* Active pairs, see active_pairs.h */

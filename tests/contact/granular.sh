@@ -39,7 +39,7 @@ run		${last} upto
 write_restart	${out}.restart
 END
 heap() { # NAME LAST FROM MODEL WORDS [THREADS]
-	"$TSIM" -in in.heap -log "$1.log" -screen none -threads "${6:-1}" -var out "$1" -var last "$2" \
+	"$TSIM" -in "in.${scene:-heap}" -log "$1.log" -screen none -threads "${6:-1}" -var out "$1" -var last "$2" \
 		-var from "$3" -var model "$4" -var words "${5:-limitForce off}" 2>err
 	report "$1: $4 $5" $? err
 }
@@ -60,6 +60,28 @@ for model in 'model hertz tangential history' 'model hooke tangential history' '
 	heap two 1000 none "$model" '' 2
 	same "$model: two threads" whole.restart two.restart
 done
+
+# contacts of equal particles share R* and m*; but not where only sizes or only densities differ, or change on the way
+mixed() { # SCENE WHAT CHANGE: WHAT of a third of the particles is another, later that of a type
+	sed "/set group all/a\\
+	\"region some block -0.06 -0.02 -0.06 0.06 0.01 0.15 units box\" \&\\
+	\"set region some $2\" \&
+/^run/i\\
+run 300\\
+set type 2 $3" in.heap >"in.$1"
+}
+mixed sizes 'diameter 0.0183' 'diameter 0.0191'
+mixed densities 'density 7130' 'density 3170'
+for scene in sizes densities; do
+	for model in 'model hertz tangential history' 'model hooke tangential history rolling_friction epsd'; do
+		heap whole 1000 none "$model"
+		heap generic 1000 none "$model" generic
+		rows whole.log >whole.rows
+		rows generic.log >generic.rows
+		same "$scene, $model: specialised loop and the loop for any law" whole.rows generic.rows
+	done
+done
+unset scene
 
 sed '/fix		m4/d' in.heap >in.none
 refused 'a property is missing' 'needs `fix ID all property/global coefficientFriction' \
