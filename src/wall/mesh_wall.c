@@ -223,13 +223,19 @@ static bool add_to_tile(const struct searching *s, struct tile *tile)
 /* Searches triangles around particles of a tile. Periodic images of a mesh, if any, have vicinities of their own. */
 static void search_tile(const struct searching *s, const struct tile *tile, struct search *share)
 {
+	bool near = false; /* an image of a mesh may be */
+
+	for (int d = 0; d < 3; d++)
+		near |= ts_box_periodic(&s->sim->domain->box, d);
 	for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++) {
 		const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
 
 		share->failed = ts_mesh_vicinity_make(&part->tree, &part->surface->mesh, tile->lo, tile->hi,
 						      tile->radius, &share->vicinity[mesh]) != TS_OK;
 	}
-	for (size_t i = tile->from; i < tile->to; i++)
+	for (size_t mesh = 0; mesh < s->mw->nmeshes; mesh++)
+		near |= share->vicinity[mesh].candidate.n > 0;
+	for (size_t i = tile->from; near && i < tile->to; i++)
 		for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
 			if (is_candidate(s, mesh, i))
 				find_images(s->sim, s->mw, mesh, i, search_radius(s, i), share);

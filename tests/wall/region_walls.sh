@@ -110,6 +110,7 @@ come() { # NAME SKIN MOTION
 }
 for way in 'move NULL NULL v_far' 'rotate v_far 0 0 -1 0 1 0' 'move NULL NULL v_jump'; do
 	motion="variable far equal 20*time
+	variable slow equal 2*time
 	variable jump equal 0.07*(step>250)+0.049*(step>251)+0.045*(step>252)
 	region w plane 0 0 -1 0 0 1 $way units box"
 	come near 0.004 "$motion"
@@ -117,6 +118,21 @@ for way in 'move NULL NULL v_far' 'rotate v_far 0 0 -1 0 1 0' 'move NULL NULL v_
 	same "a surface that comes: $way" all.dump near.dump
 	[ "$(sort -k 7 -g all.dump | tail -n 1 | awk '{ print ($7 > 1) }')" = 1 ]
 	report "it meets: $way" $? /dev/null
+done
+
+# round ones: about their axis they stay where they are and spheres come, about another they come to spheres at rest
+for way in '2 cylinder y 0 0 0.75 -1 1 rotate v_far 0 0 0 0 1 0' '0 cylinder y 0 0 0.75 -1 1 rotate v_far 0.1 0 0 0 1 0' \
+	'2 cylinder y 0 0 0.3 -1 1 side out rotate v_far 0 0 0 0 -1 0' '0 cylinder y 0 0 0.75 -1 1 rotate v_far 0 0 0 0.3 1 0.2' \
+	'2 cone y 0 0 0.8 0.7 -1 1 rotate v_far 0 0 0 0 1 0' '0 cone y 0 0 0.75 0.75 -1 1 move NULL NULL v_slow rotate v_far 0 0 0 0 1 0'; do
+	motion="variable far equal 20*time
+	variable slow equal 2*time
+	velocity all set ${way%% *} 0 0
+	region w ${way#* } units box"
+	come near 0.004 "$motion"
+	come all 0.4 "$motion"
+	same "a round surface: $way" all.dump near.dump
+	[ "$(sort -k 5 -g all.dump | head -n 1 | awk '{ print ($5 < -0.5) }')" = 1 ]
+	report "it is met: $way" $? /dev/null
 done
 
 rejects "$(at 0 0 'region w ellipsoid 0 0 0 1 1 1 units box' "$hooke")
