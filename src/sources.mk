@@ -86,6 +86,7 @@ library_sources = \
 	src/base/clock.c \
 	src/base/clock.h \
 	src/base/clones.h \
+	src/base/eight.h \
 	src/base/files.c \
 	src/base/files.h \
 	src/base/four.h \

@@ -110,7 +110,6 @@ come() { # NAME SKIN MOTION
 }
 for way in 'move NULL NULL v_far' 'rotate v_far 0 0 -1 0 1 0' 'move NULL NULL v_jump'; do
 	motion="variable far equal 20*time
-	variable slow equal 2*time
 	variable jump equal 0.07*(step>250)+0.049*(step>251)+0.045*(step>252)
 	region w plane 0 0 -1 0 0 1 $way units box"
 	come near 0.004 "$motion"
@@ -125,7 +124,7 @@ for way in '2 cylinder y 0 0 0.75 -1 1 rotate v_far 0 0 0 0 1 0' '0 cylinder y 0
 	'2 cylinder y 0 0 0.3 -1 1 side out rotate v_far 0 0 0 0 -1 0' '0 cylinder y 0 0 0.75 -1 1 rotate v_far 0 0 0 0.3 1 0.2' \
 	'2 cone y 0 0 0.8 0.7 -1 1 rotate v_far 0 0 0 0 1 0' '0 cone y 0 0 0.75 0.75 -1 1 move NULL NULL v_slow rotate v_far 0 0 0 0 1 0'; do
 	motion="variable far equal 20*time
-	variable slow equal 2*time
+	variable slow equal 1.937*time
 	velocity all set ${way%% *} 0 0
 	region w ${way#* } units box"
 	come near 0.004 "$motion"
