@@ -670,6 +670,8 @@ library_sources = \
 	src/image/image_region.h \
 	src/image/image_slice.c \
 	src/image/image_slice.h \
+	src/image/image_smooth.c \
+	src/image/image_smooth.h \
 	src/image/image_stream.c \
 	src/image/image_stream.h \
 	src/image/image_surfaces.c \

@@ -27,8 +27,9 @@ const struct ts_arg ts_image_args[] = {
 		.help = "one diameter for all spheres, in place of DIAMETER"),
 	WORDS("bond", bond_words, "COLOR WIDTH of bonds (none none)", .least = 2),
 	PART("mesh", surface_words,
-	     "ID|all [color C] [trans T] [value f_ID[k]|NAME]: triangle meshes; trans from 0, invisible, to "
-	     "1, opaque (silver, 1)"),
+	     "ID|all [color C] [trans T] [value f_ID[k]|NAME] [smooth A]: triangle meshes; trans from 0, "
+	     "invisible, to "
+	     "1, opaque; edges of less than A degrees are shaded as curved (silver, 1, 0)"),
 	PART("voxel", surface_words,
 	     "ID|all [color C] [trans T] [value f_ID[k]|c_ID[k]|height]: height fields (tan, 1)"),
 	PART("wall", surface_words,

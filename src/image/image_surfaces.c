@@ -15,6 +15,11 @@ static const struct ts_arg rows[] = {
 		.help = "name of a color"),
 	TS_REAL("trans", struct ts_image_surface, opacity, .flags = TS_OPTIONAL, .range = TS_FRACTION,
 		.help = "from 0, invisible, to 1, opaque"),
+	TS_REAL("smooth", struct ts_image_surface, smooth, .fallback = "0", .range = TS_WITHIN, .lo = 0,
+		.hi = 180,
+		.help = "of meshes: edges at which the normal turns by less than this angle (degrees) are "
+			"shaded as "
+			"curved surfaces; 0: flat triangles"),
 	TS_WORD("value", struct ts_image_surface, value, .flags = TS_OPTIONAL,
 		.help = "f_ID[k] or c_ID[k] with a row for each element, or a number that the surface has"),
 	TS_ARGS_END,
@@ -87,6 +92,9 @@ static enum ts_status read_one(struct ts_instance *self, struct tsim *sim, struc
 	snprintf(what, sizeof what, "dump image: %s", s->sort->name);
 	TS_TRY(ts_args_parse(sim, what, rows, ts_words_from(words, 1), &words.word[0].place, &self->arena,
 			     s));
+	if (s->smooth > 0 && s->sort != &ts_image_mesh)
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
+			       "dump image: %s: smooth is for meshes", s->sort->name);
 	s->id_word = words.word[1];
 	s->colour = ts_colour_of_hex(s->sort->colour);
 	if (s->colour_name) {

@@ -32,6 +32,7 @@ struct ts_image_surface {
 	const char *colour_name; /* NULL: not given */
 	const char *value;	 /* NULL: one color */
 	double opacity;		 /* NaN: not given */
+	double smooth;		 /* of meshes: angle, degrees; 0: flat triangles */
 	struct ts_word id_word;
 	struct ts_ref_input input; /* .name NULL: the value is one of the surface itself */
 	struct ts_colour colour;

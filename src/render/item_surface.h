@@ -11,7 +11,7 @@ float ts_item_opacity(const struct ts_scene *scene, const struct ts_item *item);
 struct ts_colour ts_item_colour(const struct ts_scene *scene, const struct ts_items *items,
 				const struct ts_item *item, double x, double y);
 /* Unit normal towards the camera, y upwards. */
-void ts_item_normal(const struct ts_items *items, const struct ts_item *item, double x, double y, double z,
-		    float n[3]);
+void ts_item_normal(const struct ts_scene *scene, const struct ts_items *items, const struct ts_item *item,
+		    double x, double y, double z, float n[3]);
 
 #endif

@@ -55,6 +55,24 @@ static void project_rod(struct ts_items *items, const struct ts_camera *camera,
 	add(items, item, k, fmax(to->a[2], to->b[2]) + to->radius);
 }
 
+/* In the directions of the camera, on the side of the triangle that is seen. */
+static void turn_corner_normals(struct ts_item_triangle *to, const struct ts_camera *camera,
+				const struct ts_scene_triangle *from)
+{
+	for (int c = 0; c < 3; c++) {
+		const double n[3] = { (double)from->normal[c][0], (double)from->normal[c][1],
+				      (double)from->normal[c][2] };
+		const double seen[3] = { ts_dot(n, camera->right), ts_dot(n, camera->up),
+					 ts_dot(n, camera->towards) };
+		double side = 0;
+
+		for (int d = 0; d < 3; d++)
+			side += seen[d] * (double)to->normal[d];
+		for (int d = 0; d < 3; d++)
+			to->corner_normal[c][d] = (float)(side < 0 ? -seen[d] : seen[d]);
+	}
+}
+
 static void project_triangle(struct ts_items *items, const struct ts_camera *camera,
 			     const struct ts_scene_triangle *from, size_t k)
 {
@@ -76,6 +94,8 @@ static void project_triangle(struct ts_items *items, const struct ts_camera *cam
 	to->normal[0] = (float)(sign * n[0] / length);
 	to->normal[1] = (float)(-sign * n[1] / length);
 	to->normal[2] = (float)(sign * n[2] / length);
+	if (from->smooth)
+		turn_corner_normals(to, camera, from);
 	add(items, item, k, fmax(fmax(to->corner[0][2], to->corner[1][2]), to->corner[2][2]));
 }
 

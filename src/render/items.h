@@ -13,7 +13,8 @@ struct ts_item_round {
 };
 struct ts_item_triangle {
 	double corner[3][3];
-	float normal[3]; /* unit vector, towards the camera; y upwards */
+	float normal[3];	   /* unit vector, towards the camera; y upwards */
+	float corner_normal[3][3]; /* of smooth ones */
 };
 
 enum ts_item_kind { TS_ITEM_SPHERE, TS_ITEM_ROD, TS_ITEM_CONE, TS_ITEM_TRIANGLE };

@@ -66,7 +66,7 @@ static void light_of(const struct canvas *c, const struct ts_item *item, uint32_
 		return;
 	}
 	if (item->whole || !ts_tile_is_cut_face(&c->tile, d->items, item, sample, z, n))
-		ts_item_normal(d->items, item, x, y, (double)z, n);
+		ts_item_normal(d->scene, d->items, item, x, y, (double)z, n);
 	ts_shade_surface(&d->shade, n, &colour, out);
 }
 

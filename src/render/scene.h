@@ -36,6 +36,8 @@ struct ts_scene_triangle {
 	/* NULL: one colour; else each point has that of its number, between those of the corners */
 	const struct ts_scene_scale *scale;
 	float value[3];
+	bool smooth;	    /* shaded by the normals of the corners, linear between them */
+	float normal[3][3]; /* unit vectors, of either sign */
 };
 
 /* What is beyond the plane is not drawn: x with normal . x > offset. */

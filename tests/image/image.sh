@@ -299,4 +299,35 @@ write_dump all image a.png type type modify amap min max cf 0 3 min red max blue
 rejects "$base
 write_dump all custom a.dump id modify acolor 1 red" 'is for pictures'
 
+# A coarse sphere of triangles, smooth, is shaded as the sphere: the difference is a fraction of that of flat triangles, and a
+# cube keeps its edges
+cat >in.smooth <<'E'
+units si
+boundary f f f
+region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+set group all diameter 1.6 density 1000
+mesh_primitive ball.stl sphere radius 0.8 segments 24
+mesh_primitive cube.stl box -0.5 0.5 -0.5 0.5 -0.5 0.5
+fix b all mesh/surface file ball.stl type 1
+fix c all mesh/surface file cube.stl type 1
+write_dump all image sphere.ppm type diameter box no size 200 200 zoom 1.5 shiny 0 modify acolor 1 silver
+write_dump all image flat.ppm type diameter atom no mesh b color silver box no size 200 200 zoom 1.5 shiny 0
+write_dump all image smooth.ppm type diameter atom no mesh b color silver smooth 60 box no size 200 200 zoom 1.5 shiny 0
+write_dump all image cube.ppm type diameter atom no mesh c color silver box no size 200 200 zoom 1.5 shiny 0
+write_dump all image sharp.ppm type diameter atom no mesh c color silver smooth 60 box no size 200 200 zoom 1.5 shiny 0
+write_dump all image round.ppm type diameter atom no mesh c color silver smooth 100 box no size 200 200 zoom 1.5 shiny 0
+E
+"$TSIM" -in in.smooth -log none >out 2>&1
+report 'smooth meshes' $? out
+same 'edges of a cube' cube.ppm sharp.ppm
+! cmp -s cube.ppm round.ppm
+report 'edges that are smoothed' $?
+for picture in sphere flat smooth; do tail -c +16 $picture.ppm | od -An -v -w3 -tu1 | awk '{ print $1 }' >$picture.red; done
+paste sphere.red flat.red smooth.red | awk '$1 > 0 && $2 > 0 && $3 > 0 { n++; flat += ($2 - $1)^2; smooth += ($3 - $1)^2 }
+	END { print n, sqrt(flat / n), sqrt(smooth / n); exit !(n > 5000 && smooth < flat / 16) }' >out
+report 'shaded as a sphere' $? out
+rejects "$(sed '/^write/d' in.smooth)
+write_dump all image a.ppm type diameter voxel all smooth 10" 'smooth is for meshes'
 finish
