@@ -12,7 +12,7 @@
 
 #include "base/banned.h"
 
-enum { CACHE_LINE = 64, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
+enum { CACHE_LINE = 64, PAGE = 4096, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
 enum { MAPPED = 1 << 20 }; /* blocks of this size and above are mapped outside of the heap: ts_alloc_tune */
 
 static atomic_long live_blocks;
@@ -181,6 +181,18 @@ enum ts_status ts_renew_unset(void **array, size_t *capacity, size_t need, size_
 	size_t bytes;
 
 	return renew(array, capacity, need, size, &bytes);
+}
+
+void ts_alloc_forget(void *p, size_t bytes)
+{
+#ifdef MADV_DONTNEED
+	uintptr_t from = ((uintptr_t)p + PAGE - 1) / PAGE * PAGE, to = ((uintptr_t)p + bytes) / PAGE * PAGE;
+
+	if (p && to > from) /* fails on systems with larger pages, and then changes nothing */
+		(void)madvise((char *)p + (from - (uintptr_t)p), to - from, MADV_DONTNEED);
+#else
+	(void)p, (void)bytes;
+#endif
 }
 
 long ts_alloc_balance(void)

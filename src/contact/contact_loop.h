@@ -46,9 +46,12 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 
 	block->touching--;
 	for (size_t c = 0; c < list->history_width; c++) {
-		double *memory = ts_contact_memory(list, block, at, c);
+		double *memory = ts_contact_memory(list, block, at, c),
+		       *stored = ts_contact_history(list, block, at, c), left = keep ? *memory : 0;
 
-		*ts_contact_history(list, block, at, c) = keep ? *memory : 0;
+		if (*stored !=
+		    left) /* zeros that were never written take no memory: ts_contacts_load_history */
+			*stored = left;
 		*memory = *ts_contact_memory(list, block, block->touching, c);
 	}
 	active[at] = active[block->touching];

@@ -73,3 +73,9 @@ enum ts_status ts_contacts_load_history(struct tsim *sim, struct ts_contact_list
 	for_each_block(sim, list, load_block);
 	return TS_OK;
 }
+
+void ts_contacts_forget_history(struct ts_contact_list *list)
+{
+	if (list->history_width)
+		ts_alloc_forget(list->history, list->capacity * list->history_width * sizeof *list->history);
+}

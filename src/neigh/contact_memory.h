@@ -31,6 +31,9 @@ TS_INLINE double *ts_contact_history(const struct ts_contact_list *list, const s
 	return &list->history[list->active[block->first + at].row * list->history_width + c];
 }
 
+/* The history of all touching pairs is in the columns now and that of all others is zero: the memory of list->history
+ * is given back until ts_contacts_store_history writes to it. */
+void ts_contacts_forget_history(struct ts_contact_list *list);
 /* Copies the columns back to list->history; to be called before anything reads the history there. */
 void ts_contacts_store_history(const struct tsim *sim, struct ts_contact_list *list);
 /* Allocates the columns of the blocks and copies the history of the touching pairs into them. */

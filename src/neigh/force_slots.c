@@ -179,6 +179,11 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 	TS_TRY(ts_contacts_load_history(sim, list));
 	if (assign_and_clear(sim, list, kept) != TS_OK)
 		return ts_nomem(&sim->error);
+	/* with all results a step takes the most memory; parted pairs have history only here, see contact_loop.h */
+	if (kept && !sim->legacy && !list->bridge_column) {
+		list->memory_newer = true;
+		ts_contacts_forget_history(list);
+	}
 	list->results = results;
 	list->active_chosen = true;
 	return TS_OK;
