@@ -11,11 +11,10 @@
 
 #include "base/banned.h"
 
-/* Bytes. MOST_HELD: largest text between two flushes that is written in one piece; MOST_FIRST: if nothing precedes it
- * in the file, so that the file is of no use until the text is complete, whatever the pieces. MEMBER: text after
+/* Bytes. MOST_HELD: largest text between two flushes that is written in one piece. MEMBER: text after
  * which a .gz file begins a new member. LARGEST_PART: what zlib takes in one call. ROOM: output buffer
  * of zlib. */
-enum { MOST_HELD = 1 << 24, MOST_FIRST = 1 << 20, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
+enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
 /* For files to be read: names a missing folder. In a sandbox ts_files_why gives the reason. */
 enum ts_status ts_textfile_open_failed(struct ts_error *err, struct ts_files *files,
@@ -203,7 +202,7 @@ static enum ts_status write_held(struct ts_textfile *file)
 	if (n && fwrite(file->held.text, 1, n, file->file) != n)
 		return undo_failed_write(file);
 	ts_str_clear(&file->held);
-	if (n > MOST_FIRST) /* free large buffers */
+	if (n > MOST_HELD) /* free large buffers */
 		ts_str_release(&file->held);
 	return TS_OK;
 }
@@ -236,7 +235,7 @@ enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, si
 			TS_TRY(compress_part(file, bytes, (unsigned)part, Z_NO_FLUSH));
 		else
 			ts_str_add_n(&file->held, bytes, part);
-		if (file->held.length > (file->whole == 0 ? MOST_FIRST : MOST_HELD))
+		if (file->held.length > MOST_HELD)
 			TS_TRY(write_held(file));
 		bytes += part;
 		n -= part;

@@ -1,5 +1,5 @@
 /* Output streams for text, compressed if the name ends in .gz. The text between two flushes is written in
- * one piece unless it is larger than 16 MiB, 1 MiB at the beginning of a file; if it does not fit on the disk, the file is truncated to its
+ * one piece unless it is larger than 16 MiB; if it does not fit on the disk, the file is truncated to its
  * length before: a frame of a dump is complete or missing. A .gz file is flushed in the same way, so that a
  * file of a killed run can be decompressed up to its last complete frame. All write errors are reported. */
 #ifndef TS_IO_TEXTFILE_H

@@ -109,7 +109,7 @@ enum {
 };
 static inline int ts_granular_multi_at(const struct ts_granular_model *m)
 {
-	return ts_granular_located_at(m) + ts_substep_memory(m);
+	return ts_granular_located_at(m) + (m->multi ? 0 : ts_substep_memory(m));
 }
 
 /* Applies the surface displacement that is stored in the history. */

@@ -84,6 +84,7 @@ static void draw_ends(struct ts_contact_inputs *e, bool touches)
 {
 	double length;
 
+	*e = (struct ts_contact_inputs){ 0 };
 	for (int j = 0; j < 2; j++) {
 		e->radius[j] = draw(0.3, 0.7);
 		e->mass[j] = draw(0.5, 2);
