@@ -159,13 +159,11 @@ const struct ts_style ts_compute_coordination = {
 	       "    Z = 2 C/N,    Z_m = (2 C - N_1)/(N - N_0 - N_1)\n\n"
 	       "for C contacts between N particles of the group, N_0 of which have no contact and N_1 a "
 	       "single one (Thornton). Contacts are overlaps at present, across periodic faces, too, with or "
-	       "without force; with `gap` also particles nearer than that. Contacts with "
-	       "particles outside the group do not count, those with walls with `walls yes`: then each is an "
-	       "end of a contact of one particle, as 2 C is the sum of the ends, and a particle in a corner "
-	       "has "
-	       "one with each surface. Without it a particle that lies on a wall alone has none. "
-	       "compute contact/atom gives the contacts of each particle. Z_m is 0 if no particle has two "
-	       "contacts.",
+	       "without force; with `gap` also particles nearer than that. Contacts with particles outside "
+	       "the group do not count, those with walls with `walls yes`: then each is an end of a contact "
+	       "of one particle, as 2 C is the sum of the ends, and a particle in a corner has one with each "
+	       "surface. Without it a particle that lies on a wall alone has none. compute contact/atom "
+	       "gives the contacts of each particle. Z_m is 0 if no particle has two contacts.",
 	.example = "compute z all coordination\nthermo_style custom step atoms c_z c_z[2]",
 	.cite = "C. Thornton, Geotechnique 50 (2000) 43",
 	.args = args,

@@ -293,32 +293,23 @@ const struct ts_style ts_compute_stress_region = {
 	.doc = "The Cauchy stress of a granular assembly, averaged over a region of volume V:\n\n"
 	       "    s_ab = (sum_c w_c (d_a F_b + d_b F_a)/2 + sum_i m (v_a - u_a)(v_b - u_b)) / V\n\n"
 	       "The first sum is over the contacts and bonds between particles of the group, d the vector "
-	       "from the "
-	       "partner to the particle on which F acts, and over their contacts with walls, d from the "
-	       "point of "
-	       "contact to the centre. w_c is the fraction of this branch that is in the region (Lutsko; "
-	       "Cormier, "
-	       "Rickman, Delph), so that cells that fill a larger one have its stress as their mean. The "
-	       "second sum "
-	       "is over the particles with their centre in the region, u their mean velocity. As for compute "
-	       "pressure, s is > 0 under pressure; its antisymmetric part, of contacts that are not in "
-	       "balance of "
-	       "moments, is left out. Forces are those of the last force computation.\n\n"
+	       "from the partner to the particle on which F acts, and over their contacts with walls, d from "
+	       "the point of contact to the centre. w_c is the fraction of this branch that is in the region "
+	       "(Lutsko; Cormier, Rickman, Delph), so that cells that fill a larger one have its stress as "
+	       "their mean. The second sum is over the particles with their centre in the region, u their "
+	       "mean velocity. As for compute pressure, s is > 0 under pressure; its antisymmetric part, of "
+	       "contacts that are not in balance of moments, is left out. Forces are those of the last force "
+	       "computation.\n\n"
 	       "Of a region whose surface crosses a branch twice within an eighth of its length the inner "
-	       "part may "
-	       "be missed. A region smaller than some grains gives the stress of a few contacts: check the "
-	       "seventh "
-	       "number. The volume of a region that reaches beyond the box, of a union or in two dimensions "
-	       "is not "
-	       "known: give it. compute stress/atom shares the virial of a contact among its particles "
-	       "instead; "
-	       "compute pressure is that of the whole box, without walls.",
+	       "part may be missed. A region smaller than some grains gives the stress of a few contacts: "
+	       "check the seventh number. The volume of a region that reaches beyond the box, of a union or "
+	       "in two dimensions is not known: give it. compute stress/atom shares the virial of a contact "
+	       "among its particles instead; compute pressure is that of the whole box, without walls.",
 	.example = "region mid block -0.01 0.01 -0.01 0.01 0.02 0.04 units box\n"
 		   "compute s all stress/region mid\ncompute f all stress/region mid pair wall\n"
 		   "thermo_style custom step c_s c_s[3]",
 	.cite = "J. F. Lutsko, J. Appl. Phys. 64 (1988) 1152; J. Cormier, J. M. Rickman, T. J. Delph, J. "
-		"Appl. Phys. 89 "
-		"(2001) 99",
+		"Appl. Phys. 89 (2001) 99",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,

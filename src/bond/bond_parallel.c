@@ -40,8 +40,7 @@ static enum ts_status complete_softening(struct tsim *sim, const struct coeff *c
 	if (c->friction > 0 && isnan(c->strength.shear))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "bond_coeff: friction_angle: expected tau_c, the shear strength without "
-			       "normal "
-			       "stress, which is infinite");
+			       "normal stress, which is infinite");
 	return TS_OK;
 }
 
@@ -112,8 +111,7 @@ static const struct ts_arg coeff_rows[] = {
 	TS_REAL("friction_angle", struct coeff, friction, .fallback = "0", .range = TS_WITHIN, .lo = 0,
 		.hi = 89, .unit = "degrees",
 		.help = "angle phi of internal friction: the shear strength is tau_c - sigma_n tan(phi) with "
-			"the "
-			"mean normal stress sigma_n = N/A, > 0 in tension"),
+			"the mean normal stress sigma_n = N/A, > 0 in tension"),
 	TS_REAL("beta", struct coeff, beta, .fallback = "1", .range = TS_FRACTION, .unit = "",
 		.help = "share of the moments in the stresses, Potyondy 2011"),
 	TS_BOND_DAMPING_ROWS(struct coeff, damping),

@@ -83,8 +83,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (s->include.n % 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->include.word[s->include.n - 1].place,
 			       "compute fabric: type/include needs two lists of types, as in `type/include "
-			       "1,2 "
-			       "3*4`");
+			       "1,2 3*4`");
 	if (s->include.n)
 		TS_TRY(read_include(self, sim));
 	for (size_t k = 1; k < s->words.n; k++)
@@ -187,12 +186,12 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct sums *sums = ts_alloc(1, sizeof *sums);
 	double normal;
 
-	if (sums && ts_contacts_forces(s->sim, self) != TS_OK) {
+	if (!sums)
+		return ts_nomem(&s->sim->error);
+	if (ts_contacts_forces(s->sim, self) != TS_OK) {
 		ts_free(sums);
 		return s->sim->error.status;
 	}
-	if (!sums)
-		return ts_nomem(&s->sim->error);
 	memset(sums, 0, sizeof *sums);
 	sum_contacts(self, sim, NULL, sums);
 	anisotropy(sim, sums->term[CONTACT], factor, sums->n, a[CONTACT]);
@@ -218,7 +217,7 @@ static enum ts_status eval_count(struct ts_instance *self, const struct tsim *si
 	return TS_OK;
 }
 
-/* An output for each number of attributes. */
+/* An output for each number of attributes, as the length must be known before there are contacts. */
 #define TENSORS(n)                                                                                      \
 	{                                                                                               \
 		"tensors", "", "xx, yy, zz, xy, xz, yz of each tensor, in the order of the attributes", \
@@ -249,8 +248,8 @@ static const struct ts_arg args[] = {
 		.help = "contact, branch, force/normal, force/tangential, force/shear"),
 	TS_SOME_KEYWORD("type/include", struct state, include, TS_REPEAT,
 			.help = "two lists of types, such as `1,2 3*4`: only contacts between a particle of "
-				"the "
-				"first and one of the second list count; given several times: those of any"),
+				"the first and one of the second list count; given several times: those of "
+				"any"),
 	TS_ARGS_END,
 };
 
@@ -260,8 +259,7 @@ const struct ts_style ts_compute_fabric = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Fabric tensors: anisotropy of contacts, of their lengths and forces",
 	.doc = "The contacts between particles of the group have directions n, distances of the centres l, "
-	       "and "
-	       "forces with a normal part f_n n (f_n > 0 if repulsive) and a tangential part f_t. Their "
+	       "and forces with a normal part f_n n (f_n > 0 if repulsive) and a tangential part f_t. Their "
 	       "distributions over all directions are expanded to the second order,\n\n"
 	       "    P(n) = (1 + a_c:nn)/(4 pi),    l(n) = l_0 (1 + a_b:nn),    f_n(n) = f_0 (1 + a_n:nn),\n"
 	       "    f_t(n) = f_0 (a_t.n - (n.a_t.n) n),\n\n"
@@ -276,19 +274,14 @@ const struct ts_style ts_compute_fabric = {
 	       "In an isotropic packing all tensors are 0; in triaxial compression along z, a_c zz > 0. "
 	       "force/tangential is the tensor that LAMMPS has under this name, of the magnitudes; "
 	       "force/shear has the directions and enters the stress. The ratio of stresses is about q/p = "
-	       "2/5 (a_c + a_b + a_n + 3/2 a_t), each the difference "
-	       "of "
-	       "the components zz and xx.\n\n"
+	       "2/5 (a_c + a_b + a_n + 3/2 a_t), each the difference of the components zz and xx.\n\n"
 	       "Of particles that touch in few directions only the expansion is negative in some of them; if "
-	       "a "
-	       "contact has such a direction, all tensors but the first are nan. Without contacts all are 0. "
-	       "The scalar is the number of contacts. Contacts are those of the last force computation; "
-	       "those "
-	       "with walls do not count. compute coordination gives the contacts of a particle.",
+	       "a contact has such a direction, all tensors but the first are nan. Without contacts all are "
+	       "0. The scalar is the number of contacts. Contacts are those of the last force computation; "
+	       "those with walls do not count. compute coordination gives the contacts of a particle.",
 	.example = "compute f all fabric radius contact force/normal\nthermo_style custom step c_f[*]",
 	.cite = "S. Ouadfel, L. Rothenburg, Mech. Mater. 33 (2001) 201; N. Guo, J. Zhao, Comput. Geotech. 47 "
-		"(2013) "
-		"1",
+		"(2013) 1",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,

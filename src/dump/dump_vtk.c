@@ -19,8 +19,7 @@ static enum ts_status check_all_frames(struct ts_instance *self, struct tsim *si
 	if (!ts_h5out_available())
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "dump %s: this tsim was built without HDF5, which .vtkhdf needs (apt-get "
-			       "install "
-			       "libhdf5-dev, then ./configure); .vtp needs no library",
+			       "install libhdf5-dev, then ./configure); .vtp needs no library",
 			       self->style->name);
 	if (strchr(file, '*'))
 		return ts_fail(&sim->error, TS_SYNTAX, where,

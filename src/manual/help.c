@@ -181,6 +181,12 @@ static void add_reference(const struct ts_style *style, const struct ts_value *v
 	ts_str_addf(out, "%s%s", style->kind == TS_KIND_COMPUTE ? "c_ID" : "f_ID", brackets);
 }
 
+/* The same output as the one before, of another length: an instance gives one of them. */
+static bool is_variant(const struct ts_value *values, const struct ts_value *v)
+{
+	return v > values && v->shape == v[-1].shape && ts_streq(v->name, v[-1].name);
+}
+
 static void add_values(const struct ts_style *style, bool markdown, struct ts_str *out)
 {
 	static const char *const shapes[] = {
@@ -194,6 +200,8 @@ static void add_values(const struct ts_style *style, bool markdown, struct ts_st
 		return;
 	add_heading("Output", markdown, out);
 	for (const struct ts_value *v = style->values; v->name; v++) {
+		if (is_variant(style->values, v))
+			continue;
 		ts_str_clear(&name);
 		ts_str_clear(&text);
 		add_reference(style, v, &name);

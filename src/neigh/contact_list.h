@@ -155,11 +155,11 @@ static inline int32_t ts_winding(const int32_t turns[3])
 /* a - b, dimension by dimension. */
 static inline int32_t ts_winding_difference(int32_t a, int32_t b)
 {
-	int32_t difference = 0;
+	int32_t turns[3];
 
-	for (int32_t bits = 1023, k = 0; k < 3; k++, bits <<= 10)
-		difference |= ((a & bits) - (b & bits)) & bits;
-	return difference;
+	for (int k = 0; k < 3; k++)
+		turns[k] = (a >> 10 * k & 1023) - (b >> 10 * k & 1023);
+	return ts_winding(turns);
 }
 
 /* Identity of particle i (side 0) or j (side 1) of pair r. */
