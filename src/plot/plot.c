@@ -39,8 +39,21 @@ bool ts_plot_has_line(const struct ts_plot_series *s)
 bool ts_plot_has_points(const struct ts_plot_series *s)
 {
 	if (s->style == TS_PLOT_AUTO)
-		return s->n <= FEW || s->error;
+		return s->n <= FEW || s->error || s->x_error;
 	return s->style == TS_PLOT_POINTS || s->style == TS_PLOT_BOTH;
+}
+
+const struct ts_plot_axis *ts_plot_axis_of(const struct ts_plot *plot, const struct ts_plot_series *s)
+{
+	return s->right ? &plot->right : &plot->y;
+}
+
+bool ts_plot_has_right(const struct ts_plot *plot)
+{
+	for (size_t k = 0; k < plot->n; k++)
+		if (plot->series[k].right)
+			return true;
+	return false;
 }
 
 double ts_plot_x(const struct ts_plot_series *s, size_t k)

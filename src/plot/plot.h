@@ -30,13 +30,15 @@ struct ts_plot_axis {
 };
 
 struct ts_plot_series {
-	const char *name;    /* in the legend; NULL: none */
-	const double *x;     /* [n]; NULL: 0, 1, 2 ... */
-	const double *y;     /* [n] */
-	const double *error; /* [n], of y, to both sides; NULL: none. NaN or 0: none at this point */
+	const char *name;      /* in the legend; NULL: none */
+	const double *x;       /* [n]; NULL: 0, 1, 2 ... */
+	const double *y;       /* [n] */
+	const double *error;   /* [n], of y, to both sides; NULL: none. NaN or 0: none at this point */
+	const double *x_error; /* the same of x */
 	size_t n;
 	enum ts_plot_style style;
 	int colour; /* 1, 2 ...: of the palette; 0: by the place among the series */
+	bool right; /* y belongs to the axis on the right */
 };
 
 /* A line across the frame, dashed. */
@@ -50,6 +52,7 @@ struct ts_plot_mark {
 struct ts_plot {
 	const char *title; /* NULL: none */
 	struct ts_plot_axis x, y;
+	struct ts_plot_axis right; /* the second one of y; drawn if a series belongs to it */
 	const struct ts_plot_series *series;
 	size_t n;
 	const struct ts_plot_mark *mark;
@@ -74,6 +77,9 @@ size_t ts_plot_marker_of(size_t series);
 /* Whether lines and points are drawn. */
 bool ts_plot_has_line(const struct ts_plot_series *s);
 bool ts_plot_has_points(const struct ts_plot_series *s);
+/* The axis of its y. */
+const struct ts_plot_axis *ts_plot_axis_of(const struct ts_plot *plot, const struct ts_plot_series *s);
+bool ts_plot_has_right(const struct ts_plot *plot);
 /* Coordinates of point k. */
 double ts_plot_x(const struct ts_plot_series *s, size_t k);
 /* Whether the axis can show the number. */

@@ -5,7 +5,12 @@
 
 #include "base/banned.h"
 
-enum { EDGE = 8, CAP = 3 /* half the width of the end of an error bar */ };
+enum {
+	EDGE = 8,
+	TICK = 4,
+	NUMBER = 6 /* distance of numbers */,
+	CAP = 3 /* half the width of the end of an error bar */
+};
 
 /* ---- frame */
 
@@ -38,18 +43,23 @@ static void draw_grid(struct ts_plot_canvas *c, const struct ts_plot_layout *l, 
 	c->end(c);
 }
 
-/* Left and lower edge. */
+/* Left and lower edge; at the right one an axis with its ticks, which have no grid. */
 static void draw_frame(struct ts_plot_canvas *c, const struct ts_plot_layout *l)
 {
 	c->begin(c, TS_PLOT_FRAME, TS_PLOT_INK);
 	draw_line(c, l->left, l->top, l->left, l->bottom);
 	c->line(c, l->right, l->bottom);
+	if (l->has_right)
+		c->line(c, l->right, l->top);
+	for (size_t k = 0; k < l->y2.n; k++)
+		draw_line(c, l->right, at_y(l, l->y2.tick[k].at), l->right + TICK, at_y(l, l->y2.tick[k].at));
 	c->end(c);
 }
 
-static enum ts_status draw_numbers(struct ts_plot_canvas *c, const struct ts_plot_layout *l, bool y)
+static enum ts_status draw_numbers(struct ts_plot_canvas *c, const struct ts_plot_layout *l,
+				   const struct ts_plot_scale *scale)
 {
-	const struct ts_plot_scale *scale = y ? &l->y : &l->x;
+	const bool y = scale != &l->x, right = scale == &l->y2;
 	struct ts_str text = { 0 };
 	bool failed;
 
@@ -59,10 +69,11 @@ static enum ts_status draw_numbers(struct ts_plot_canvas *c, const struct ts_plo
 		ts_str_clear(&text);
 		ts_plot_scale_pretty(scale->tick[k].text, &text);
 		if (text.length && y)
-			c->text(c, l->left - 6, at_y(l, at) + 0.27 * l->font.line, TS_PLOT_END,
+			c->text(c, right ? l->right + NUMBER : l->left - NUMBER,
+				at_y(l, at) + 0.27 * l->font.line, right ? TS_PLOT_START : TS_PLOT_END,
 				TS_PLOT_NORMAL, text.text, text.length);
 		else if (text.length)
-			c->text(c, at_x(l, at), l->bottom + 6 + 0.75 * l->font.line, TS_PLOT_MIDDLE,
+			c->text(c, at_x(l, at), l->bottom + NUMBER + 0.75 * l->font.line, TS_PLOT_MIDDLE,
 				TS_PLOT_NORMAL, text.text, text.length);
 	}
 	failed = text.failed;
@@ -85,14 +96,19 @@ static void draw_error_bars(struct ts_plot_canvas *c, const struct ts_plot_layou
 {
 	c->begin(c, TS_PLOT_BAR, colour);
 	for (size_t k = 0; k < t->n; k++) {
-		const double x = t->vertex[k].x;
-		double top, bottom;
+		const double x = t->vertex[k].x, y = t->vertex[k].y;
+		double top, bottom, left, right;
 
-		if (!ts_plot_error_bar(l, s, t->vertex[k].point, &top, &bottom))
-			continue;
-		draw_line(c, x - CAP, top, x + CAP, top);
-		draw_line(c, x, top, x, bottom);
-		draw_line(c, x - CAP, bottom, x + CAP, bottom);
+		if (ts_plot_error_bar(l, s, t->vertex[k].point, &top, &bottom)) {
+			draw_line(c, x - CAP, top, x + CAP, top);
+			draw_line(c, x, top, x, bottom);
+			draw_line(c, x - CAP, bottom, x + CAP, bottom);
+		}
+		if (ts_plot_error_bar_x(l, s, t->vertex[k].point, &left, &right)) {
+			draw_line(c, left, y - CAP, left, y + CAP);
+			draw_line(c, left, y, right, y);
+			draw_line(c, right, y - CAP, right, y + CAP);
+		}
 	}
 	c->end(c);
 }
@@ -189,10 +205,12 @@ enum ts_status ts_plot_canvas_draw(struct ts_plot_canvas *c, const struct ts_plo
 	for (size_t k = 0; k < plot->marks; k++)
 		draw_mark(c, l, &plot->mark[k]);
 	draw_legend(c, l, plot);
-	TS_TRY(draw_numbers(c, l, false));
-	TS_TRY(draw_numbers(c, l, true));
+	TS_TRY(draw_numbers(c, l, &l->x));
+	TS_TRY(draw_numbers(c, l, &l->y));
+	TS_TRY(draw_numbers(c, l, &l->y2));
 	draw_lines(c, &l->title, EDGE, TS_PLOT_START, TS_PLOT_BOLD);
 	draw_lines(c, &l->y_title, EDGE, TS_PLOT_START, TS_PLOT_NORMAL);
+	draw_lines(c, &l->right_title, l->width - EDGE, TS_PLOT_END, TS_PLOT_NORMAL);
 	draw_lines(c, &l->x_title, l->right, TS_PLOT_END, TS_PLOT_NORMAL);
 	draw_lines(c, &l->note, EDGE, TS_PLOT_START, TS_PLOT_SMALL);
 	return TS_OK;

@@ -114,33 +114,58 @@ void ts_plot_note(const struct ts_plot *plot, const struct ts_plot_extent *exten
 		ts_str_add(out, "no data");
 	else if (extent->hidden)
 		ts_str_addf(out, "%zu of %zu points not shown: not finite%s", extent->hidden, extent->points,
-			    plot->x.log || plot->y.log ? ", or not positive on a logarithmic axis" : "");
+			    plot->x.log || plot->y.log || plot->right.log
+				    ? ", or not positive on a logarithmic axis"
+				    : "");
+}
+
+/* Room for the title of one y axis beside that of the other one: half of it, and what that does not need. */
+static double room_beside(const struct ts_plot_layout *l, const struct ts_str *other, double most)
+{
+	return l->has_right ? fmax(0.5 * most - GAP, most - text_width(l, ts_str_text(other)) - 2 * GAP)
+			    : most;
+}
+
+static void set_scales(struct ts_plot_layout *l, const struct ts_plot *plot,
+		       const struct ts_plot_extent *extent, double least)
+{
+	const int ticks = (int)(least / (1.5 * l->font.line)) + 1;
+	double widest, beside = 0;
+
+	ts_plot_scale_set(&l->y, plot, extent, 1, ticks);
+	l->left = EDGE + widest_tick(l, &l->y) + GAP;
+	l->has_right = ts_plot_has_right(plot);
+	if (l->has_right) {
+		ts_plot_scale_set(&l->y2, plot, extent, 2, ticks);
+		beside = widest_tick(l, &l->y2) + GAP;
+	}
+	ts_plot_scale_set(&l->x, plot, extent, 0, (int)((l->width - EDGE - l->left - beside) / TICK_SPACE));
+	widest = widest_tick(l, &l->x);
+	l->left = fmax(l->left, EDGE + 0.5 * widest);
+	l->right = l->width - EDGE - fmax(fmin(0.5 * widest, TICK_SPACE), beside);
 }
 
 static void place(struct ts_plot_layout *l, const struct ts_plot *plot, const struct ts_plot_extent *extent)
 {
 	const double most = l->width - 2 * EDGE, line = l->font.line;
 	const double least = 0.5 * l->height; /* height of the frame */
-	double below, widest;
+	double below;
 
-	ts_plot_scale_set(&l->y, plot, extent, 1, (int)(least / (1.5 * line)) + 1);
-	widest = widest_tick(l, &l->y);
-	l->left = EDGE + widest + GAP;
-	ts_plot_scale_set(&l->x, plot, extent, 0, (int)((l->width - EDGE - l->left) / TICK_SPACE));
-	widest = widest_tick(l, &l->x);
-	l->left = fmax(l->left, EDGE + 0.5 * widest);
-	l->right = l->width - EDGE - fmin(0.5 * widest, TICK_SPACE);
+	set_scales(l, plot, extent, least);
 	ts_plot_scale_title(&l->x, &plot->x, &l->x_text);
 	ts_plot_scale_title(&l->y, &plot->y, &l->y_text);
+	if (l->has_right)
+		ts_plot_scale_title(&l->y2, &plot->right, &l->right_text);
 	ts_plot_note(plot, extent, &l->note_text);
 
 	break_text(l, &l->title, plot->title, most * (1 - 0.15)); /* is bold */
-	break_text(l, &l->y_title, ts_str_text(&l->y_text), most);
+	break_text(l, &l->y_title, ts_str_text(&l->y_text), room_beside(l, &l->right_text, most));
+	break_text(l, &l->right_title, ts_str_text(&l->right_text), room_beside(l, &l->y_text, most));
 	below = GAP + line + break_text(l, &l->x_title, ts_str_text(&l->x_text), most) +
 		break_text(l, &l->note, ts_str_text(&l->note_text), most) + EDGE;
 	l->top = place_text(l, &l->title, EDGE);
 	l->top = place_legend(l, plot, l->top + (l->title.n ? GAP / 2 : 0));
-	l->top = place_text(l, &l->y_title, l->top) + GAP;
+	l->top = fmax(place_text(l, &l->y_title, l->top), place_text(l, &l->right_title, l->top)) + GAP;
 	if (l->top == EDGE + GAP) /* nothing above: half a number of the y axis */
 		l->top += 0.25 * line;
 	l->height = fmax(l->height, l->top + least + below);
@@ -161,7 +186,14 @@ enum ts_status ts_plot_layout_set(struct ts_plot_layout *l, const struct ts_plot
 		return TS_NOMEM;
 	ts_plot_extent(plot, &extent);
 	place(l, plot, &extent);
-	return l->x_text.failed || l->y_text.failed || l->note_text.failed ? TS_NOMEM : TS_OK;
+	return l->x_text.failed || l->y_text.failed || l->right_text.failed || l->note_text.failed ? TS_NOMEM
+												   : TS_OK;
+}
+
+const struct ts_plot_scale *ts_plot_layout_scale(const struct ts_plot_layout *l,
+						 const struct ts_plot_series *s)
+{
+	return s->right ? &l->y2 : &l->y;
 }
 
 void ts_plot_layout_release(struct ts_plot_layout *l)
@@ -169,6 +201,7 @@ void ts_plot_layout_release(struct ts_plot_layout *l)
 	ts_free(l->entry);
 	ts_str_release(&l->x_text);
 	ts_str_release(&l->y_text);
+	ts_str_release(&l->right_text);
 	ts_str_release(&l->note_text);
 	*l = (struct ts_plot_layout){ 0 };
 }

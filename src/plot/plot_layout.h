@@ -1,5 +1,5 @@
-/* Where the parts of a plot are. Units are those of the plot, y downwards. From top to bottom: title, legend, title of the
- * y axis, frame, numbers, title of the x axis, note. Nothing is written over the curves except names of marks. */
+/* Where the parts of a plot are. Units are those of the plot, y downwards. From top to bottom: title, legend, titles of
+ * the y axes, frame, numbers, title of the x axis, note. Nothing is written over the curves except names of marks. */
 #ifndef TS_PLOT_PLOT_LAYOUT_H
 #define TS_PLOT_PLOT_LAYOUT_H
 
@@ -30,10 +30,11 @@ struct ts_plot_layout {
 	struct ts_plot_font font;
 	double width, height;		 /* of the whole */
 	double left, right, top, bottom; /* of the frame */
-	struct ts_plot_scale x, y;
+	struct ts_plot_scale x, y, y2;	 /* y2: of the right, if it has one */
+	bool has_right;
 	struct ts_plot_entry *entry; /* [series]; those without a name are not drawn */
-	struct ts_str x_text, y_text, note_text;
-	struct ts_plot_lines title, x_title, y_title, note;
+	struct ts_str x_text, y_text, right_text, note_text;
+	struct ts_plot_lines title, x_title, y_title, right_title, note;
 };
 
 /* Length of the line in the legend, gap to the text included. */
@@ -42,6 +43,9 @@ enum { TS_PLOT_SAMPLE = 26 };
 /* Returns TS_OK or TS_NOMEM; in both cases the layout is to be released. */
 enum ts_status ts_plot_layout_set(struct ts_plot_layout *l, const struct ts_plot *plot,
 				  const struct ts_plot_font *font);
+/* The scale of y of a series. */
+const struct ts_plot_scale *ts_plot_layout_scale(const struct ts_plot_layout *l,
+						 const struct ts_plot_series *s);
 void ts_plot_layout_release(struct ts_plot_layout *l);
 
 /* Several plots as one picture: the place of the upper left corner of each, rows as high as their highest plot. */

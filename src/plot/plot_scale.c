@@ -19,7 +19,7 @@ static const double NEAR_TICK = 0.03;
 
 static const struct ts_plot_axis *axis_of(const struct ts_plot *plot, int axis)
 {
-	return axis ? &plot->y : &plot->x;
+	return axis == 0 ? &plot->x : axis == 1 ? &plot->y : &plot->right;
 }
 
 /* The end that is given, or NaN. */
@@ -47,20 +47,25 @@ static void include(struct ts_plot_extent *e, const struct ts_plot *plot, int ax
 static void include_point(struct ts_plot_extent *e, const struct ts_plot *plot,
 			  const struct ts_plot_series *s, size_t k)
 {
-	const double x = ts_plot_x(s, k), y = s->y[k], error = s->error ? s->error[k] : 0;
+	const double x = ts_plot_x(s, k), y = s->y[k], error = s->error ? s->error[k] : 0,
+		     x_error = s->x_error ? s->x_error[k] : 0;
+	const int axis = s->right ? 2 : 1;
 
 	e->points++;
-	if (!ts_plot_shows(&plot->x, x) || !ts_plot_shows(&plot->y, y)) {
+	if (!ts_plot_shows(&plot->x, x) || !ts_plot_shows(axis_of(plot, axis), y)) {
 		e->hidden++;
 		return;
 	}
-	if (is_inside(&plot->y, y))
+	if (is_inside(axis_of(plot, axis), y)) {
 		include(e, plot, 0, x);
+		include(e, plot, 0, x - x_error);
+		include(e, plot, 0, x + x_error);
+	}
 	if (!is_inside(&plot->x, x))
 		return;
-	include(e, plot, 1, y);
-	include(e, plot, 1, y - error);
-	include(e, plot, 1, y + error);
+	include(e, plot, axis, y);
+	include(e, plot, axis, y - error);
+	include(e, plot, axis, y + error);
 }
 
 /* The first and the last step reach beyond their points. */
@@ -77,7 +82,8 @@ static void include_steps(struct ts_plot_extent *e, const struct ts_plot *plot,
 
 void ts_plot_extent(const struct ts_plot *plot, struct ts_plot_extent *e)
 {
-	*e = (struct ts_plot_extent){ .lo = { INFINITY, INFINITY }, .hi = { -INFINITY, -INFINITY } };
+	*e = (struct ts_plot_extent){ .lo = { INFINITY, INFINITY, INFINITY },
+				      .hi = { -INFINITY, -INFINITY, -INFINITY } };
 	for (size_t k = 0; k < plot->n; k++) {
 		for (size_t j = 0; j < plot->series[k].n; j++)
 			include_point(e, plot, &plot->series[k], j);
@@ -133,7 +139,7 @@ static void set_ends(struct ts_plot_scale *scale, const struct ts_plot *plot,
 {
 	const struct ts_plot_axis *a = axis_of(plot, axis);
 	const double lo = given(a, false), hi = given(a, true);
-	const bool room = axis == 1 || !has_bare_lines(plot);
+	const bool room = axis > 0 || !has_bare_lines(plot);
 
 	scale->lo = extent->lo[axis];
 	scale->hi = extent->hi[axis];

@@ -25,12 +25,12 @@ struct ts_plot_scale {
 
 /* Ranges of the data and number of points without a place. */
 struct ts_plot_extent {
-	double lo[2], hi[2]; /* x and y */
+	double lo[3], hi[3]; /* x, y and y on the right */
 	size_t points, hidden;
 };
 
 void ts_plot_extent(const struct ts_plot *plot, struct ts_plot_extent *extent);
-/* Scale of x (0) or y (1) with about so many ticks. */
+/* Scale of x (0), y (1) or y on the right (2) with about so many ticks. */
 void ts_plot_scale_set(struct ts_plot_scale *scale, const struct ts_plot *plot,
 		       const struct ts_plot_extent *extent, int axis, int ticks);
 /* Place of a number that the axis can show: 0 at the lower, 1 at the upper end. Others: NaN. */

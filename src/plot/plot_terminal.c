@@ -16,10 +16,10 @@ struct screen {
 	const struct ts_plot *plot;
 	struct ts_plot_layout layout; /* a unit is a dot; the frame begins at 0, 0 */
 	bool unicode, colour, braille;
-	int columns, rows, left; /* letters of the frame, and to the left of it */
-	int across, down;	 /* dots of a letter */
-	unsigned char *dots;	 /* [rows * columns]: the eight bits of a braille letter; without: 0 or 1 */
-	unsigned char *series;	 /* the last one that has drawn there, or MARK */
+	int columns, rows, left, right; /* letters of the frame, and to both sides of it */
+	int across, down;		/* dots of a letter */
+	unsigned char *dots;   /* [rows * columns]: the eight bits of a braille letter; without: 0 or 1 */
+	unsigned char *series; /* the last one that has drawn there, or MARK */
 	struct ts_str *out;
 };
 
@@ -70,10 +70,12 @@ static enum ts_status draw_series(struct screen *s, size_t k, struct ts_plot_tra
 	}
 	TS_TRY(ts_plot_trace_errors(t, &s->layout, series));
 	for (size_t v = 0; v < t->n; v++) {
-		double top, bottom;
+		double top, bottom, left, right;
 
 		if (ts_plot_error_bar(&s->layout, series, t->vertex[v].point, &top, &bottom))
 			draw_line(s, t->vertex[v].x, top, t->vertex[v].x, bottom, k);
+		if (ts_plot_error_bar_x(&s->layout, series, t->vertex[v].point, &left, &right))
+			draw_line(s, left, t->vertex[v].y, right, t->vertex[v].y, k);
 	}
 	TS_TRY(ts_plot_trace_points(t, &s->layout, series));
 	for (size_t v = 0; v < t->n; v++)
@@ -133,9 +135,10 @@ static int column_of(const struct screen *s, const struct ts_plot_tick *tick)
 }
 
 /* The tick with a number at a row or column of the frame; NULL: none. */
-static const struct ts_plot_tick *tick_at(const struct screen *s, bool y, int place)
+static const struct ts_plot_tick *tick_at(const struct screen *s, const struct ts_plot_scale *scale,
+					  int place)
 {
-	const struct ts_plot_scale *scale = y ? &s->layout.y : &s->layout.x;
+	const bool y = scale != &s->layout.x;
 
 	for (size_t k = 0; k < scale->n; k++)
 		if (*scale->tick[k].text && (y ? row_of : column_of)(s, &scale->tick[k]) == place)
@@ -167,7 +170,8 @@ static void add_cell(struct screen *s, int row, int column, int *colour)
 
 static void add_row(struct screen *s, int row, struct ts_str *text)
 {
-	const struct ts_plot_tick *tick = tick_at(s, true, row);
+	const struct ts_plot_tick *tick = tick_at(s, &s->layout.y, row),
+				  *right = tick_at(s, &s->layout.y2, row);
 	int colour = -1;
 
 	add_blanks(s, s->left - 1 - (tick ? tick_length(s, tick, text) : 0));
@@ -177,6 +181,10 @@ static void add_row(struct screen *s, int row, struct ts_str *text)
 		add_cell(s, row, k, &colour);
 	if (colour >= 0)
 		end_colour(s);
+	if (s->layout.has_right)
+		ts_str_add(s->out, s->unicode ? (right ? "\u251c" : "\u2502") : right ? "+" : "|");
+	if (right && tick_length(s, right, text))
+		ts_str_add(s->out, ts_str_text(text));
 	ts_str_add(s->out, "\n");
 }
 
@@ -187,13 +195,15 @@ static void add_axis(struct screen *s, struct ts_str *text)
 	add_blanks(s, s->left - 1);
 	ts_str_add(s->out, s->unicode ? "\u2514" : "+");
 	for (int k = 0; k < s->columns; k++)
-		if (tick_at(s, false, k))
+		if (tick_at(s, &s->layout.x, k))
 			ts_str_add(s->out, s->unicode ? "\u252c" : "+");
 		else
 			ts_str_add(s->out, s->unicode ? "\u2500" : "-");
+	if (s->layout.has_right)
+		ts_str_add(s->out, s->unicode ? "\u2518" : "+");
 	ts_str_add(s->out, "\n");
 	for (int k = 0; k < s->columns; k++) {
-		const struct ts_plot_tick *tick = tick_at(s, false, k);
+		const struct ts_plot_tick *tick = tick_at(s, &s->layout.x, k);
 		const int length = tick ? tick_length(s, tick, text) : 0;
 		int from = s->left + k - length / 2;
 
@@ -205,6 +215,33 @@ static void add_axis(struct screen *s, struct ts_str *text)
 		at = from + length;
 	}
 	ts_str_add(s->out, "\n");
+}
+
+static void add_line(struct screen *s, const char *text)
+{
+	if (!text || !*text)
+		return;
+	add_plain(s, text);
+	ts_str_add(s->out, "\n");
+}
+
+/* Above the frame, of the right axis at the right; below each other if a line is too short. */
+static void add_y_titles(struct screen *s)
+{
+	const struct ts_str *y = &s->layout.y_text, *right = &s->layout.right_text;
+	const int width = s->left + s->columns + s->right,
+		  length = (int)ts_plot_letters(ts_str_text(y), y->length),
+		  other = (int)ts_plot_letters(ts_str_text(right), right->length);
+	const bool fits = length + 2 + other <= width;
+
+	if (!other || !fits)
+		add_line(s, ts_str_text(y));
+	if (!other)
+		return;
+	if (fits && length)
+		add_plain(s, ts_str_text(y));
+	add_blanks(s, width - other - (fits ? length : 0));
+	add_line(s, ts_str_text(right));
 }
 
 /* At the right edge of the frame. */
@@ -253,15 +290,19 @@ static void add_legend(struct screen *s)
 	ts_str_add(out, any ? "\n" : "");
 }
 
-static void add_line(struct screen *s, const char *text)
-{
-	if (!text || !*text)
-		return;
-	add_plain(s, text);
-	ts_str_add(s->out, "\n");
-}
-
 /* ---- the whole */
+
+static int longest_tick(struct screen *s, const struct ts_plot_scale *scale, struct ts_str *text)
+{
+	int longest = 0;
+
+	for (size_t k = 0; k < scale->n; k++) {
+		const int length = tick_length(s, &scale->tick[k], text);
+
+		longest = length > longest ? length : longest;
+	}
+	return longest;
+}
 
 /* Scales, then the room that their numbers leave. */
 static void set_layout(struct screen *s, int columns)
@@ -272,12 +313,16 @@ static void set_layout(struct screen *s, int columns)
 
 	ts_plot_extent(s->plot, &extent);
 	ts_plot_scale_set(&l->y, s->plot, &extent, 1, s->rows / TICK_ROWS);
-	for (size_t k = 0; k < l->y.n; k++) {
-		const int length = tick_length(s, &l->y.tick[k], &text) + 1;
-
-		s->left = length > s->left ? length : s->left;
+	s->left = longest_tick(s, &l->y, &text) + 1;
+	l->has_right = ts_plot_has_right(s->plot);
+	if (l->has_right) {
+		ts_plot_scale_set(&l->y2, s->plot, &extent, 2, s->rows / TICK_ROWS);
+		ts_plot_scale_title(&l->y2, &s->plot->right, &l->right_text);
+		s->right = longest_tick(s, &l->y2, &text) + 1;
 	}
-	s->columns = columns - s->left;
+	s->columns = columns - s->left - s->right;
+	if (s->columns < 1) /* numbers fill the line */
+		s->columns = 1;
 	ts_plot_scale_set(&l->x, s->plot, &extent, 0, s->columns / TICK_COLUMNS);
 	l->right = s->columns * s->across;
 	l->bottom = s->rows * s->down;
@@ -307,7 +352,7 @@ static void print(struct screen *s)
 
 	add_line(s, s->plot->title);
 	add_legend(s);
-	add_line(s, ts_str_text(&s->layout.y_text));
+	add_y_titles(s);
 	for (int k = 0; k < s->rows; k++)
 		add_row(s, k, &text);
 	add_axis(s, &text);
@@ -333,15 +378,14 @@ enum ts_status ts_plot_terminal(const struct ts_plot *plot, const struct ts_plot
 	s.across = s.braille ? 2 : 1;
 	s.down = s.braille ? 4 : 1;
 	set_layout(&s, columns);
-	if (s.columns < 1) /* numbers fill the line */
-		s.columns = 1;
 	s.dots = ts_alloc((size_t)(s.rows * s.columns), 1);
 	s.series = ts_alloc((size_t)(s.rows * s.columns), 1);
 	if (s.dots && s.series)
 		status = draw(&s);
 	if (status == TS_OK)
 		print(&s);
-	out->failed |= s.layout.x_text.failed || s.layout.y_text.failed || s.layout.note_text.failed;
+	out->failed |= s.layout.x_text.failed || s.layout.y_text.failed || s.layout.right_text.failed ||
+		       s.layout.note_text.failed;
 	ts_free(s.dots);
 	ts_free(s.series);
 	ts_plot_layout_release(&s.layout);

@@ -65,10 +65,11 @@ struct maker {
 	bool down, failed; /* down: a line leads from `pen` to the next vertex */
 };
 
-static void place_of(const struct ts_plot_layout *l, double x, double y, double *px, double *py)
+static void place_of(const struct ts_plot_layout *l, const struct ts_plot_series *s, double x, double y,
+		     double *px, double *py)
 {
 	*px = l->left + ts_plot_scale_at(&l->x, x) * (l->right - l->left);
-	*py = l->bottom - ts_plot_scale_at(&l->y, y) * (l->bottom - l->top);
+	*py = l->bottom - ts_plot_scale_at(ts_plot_layout_scale(l, s), y) * (l->bottom - l->top);
 }
 
 static enum ts_status add(struct ts_plot_trace *t, struct ts_plot_vertex v)
@@ -185,12 +186,12 @@ static void lift(struct maker *m)
 static bool is_shown(const struct ts_plot_layout *l, const struct ts_plot_series *s, size_t k,
 		     struct ts_plot_vertex *out)
 {
-	const struct ts_plot_axis x = { .log = l->x.log }, y = { .log = l->y.log };
+	const struct ts_plot_axis x = { .log = l->x.log }, y = { .log = ts_plot_layout_scale(l, s)->log };
 
 	if (k >= s->n || !ts_plot_shows(&x, ts_plot_x(s, k)) || !ts_plot_shows(&y, s->y[k]))
 		return false;
 	*out = (struct ts_plot_vertex){ .point = k };
-	place_of(l, ts_plot_x(s, k), s->y[k], &out->x, &out->y);
+	place_of(l, s, ts_plot_x(s, k), s->y[k], &out->x, &out->y);
 	return true;
 }
 
@@ -279,7 +280,7 @@ enum ts_status ts_plot_trace_errors(struct ts_plot_trace *t, const struct ts_plo
 				    const struct ts_plot_series *s)
 {
 	t->n = 0;
-	return s->error ? trace(t, l, s, true) : TS_OK;
+	return s->error || s->x_error ? trace(t, l, s, true) : TS_OK;
 }
 
 void ts_plot_trace_release(struct ts_plot_trace *t)
@@ -288,18 +289,41 @@ void ts_plot_trace_release(struct ts_plot_trace *t)
 	*t = (struct ts_plot_trace){ 0 };
 }
 
+/* The error at a point; 0: none. */
+static double error_at(const double *error, size_t point)
+{
+	const double size = error ? fabs(error[point]) : 0;
+
+	return isfinite(size) ? size : 0;
+}
+
 bool ts_plot_error_bar(const struct ts_plot_layout *l, const struct ts_plot_series *s, size_t point,
 		       double *top, double *bottom)
 {
-	const double error = s->error ? fabs(s->error[point]) : 0, y = s->y[point];
+	const double error = error_at(s->error, point), y = s->y[point];
 	double x;
 
-	if (!(error > 0) || !isfinite(error))
+	if (!(error > 0))
 		return false;
-	place_of(l, 1, y + error, &x, top);
-	place_of(l, 1, y - error, &x, bottom);
+	place_of(l, s, 1, y + error, &x, top);
+	place_of(l, s, 1, y - error, &x, bottom);
 	*top = fmin(fmax(*top, l->top), l->bottom);
 	/* below zero on a logarithmic axis: to the edge */
 	*bottom = isnan(*bottom) ? l->bottom : fmin(fmax(*bottom, l->top), l->bottom);
+	return true;
+}
+
+bool ts_plot_error_bar_x(const struct ts_plot_layout *l, const struct ts_plot_series *s, size_t point,
+			 double *left, double *right)
+{
+	const double error = error_at(s->x_error, point), x = ts_plot_x(s, point);
+	double y;
+
+	if (!(error > 0))
+		return false;
+	place_of(l, s, x - error, 1, left, &y);
+	place_of(l, s, x + error, 1, right, &y);
+	*left = isnan(*left) ? l->left : fmin(fmax(*left, l->left), l->right);
+	*right = fmin(fmax(*right, l->left), l->right);
 	return true;
 }

@@ -33,8 +33,10 @@ enum ts_status ts_plot_trace_errors(struct ts_plot_trace *t, const struct ts_plo
 				    const struct ts_plot_series *s);
 void ts_plot_trace_release(struct ts_plot_trace *t);
 
-/* Ends of the error bar at a point, clipped to the frame; false: none. */
+/* Ends of the error bars at a point, of y and of x, clipped to the frame; false: none. */
 bool ts_plot_error_bar(const struct ts_plot_layout *l, const struct ts_plot_series *s, size_t point,
 		       double *top, double *bottom);
+bool ts_plot_error_bar_x(const struct ts_plot_layout *l, const struct ts_plot_series *s, size_t point,
+			 double *left, double *right);
 
 #endif

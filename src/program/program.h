@@ -16,7 +16,8 @@ struct ts_word_list {
 
 /* Words of options that belong to -plot; NULL: not given. */
 struct ts_plot_words {
-	const char *out, *xrange, *yrange, *part, *by, *title, *xlabel, *ylabel, *size;
+	const char *out, *xrange, *yrange, *part, *by, *title, *xlabel, *ylabel, *size, *right_range,
+		*right_label;
 	bool panels;
 };
 
@@ -35,7 +36,7 @@ struct ts_setup {
 	double tolerance;	    /* 0: not given */
 	int64_t jobs;		    /* 0: not given */
 	bool studied;		    /* -sweep or -calibrate */
-	/* "-plot" FILE COLUMN ..., "-x" COLUMN, "-style" STYLE, in the order of the command line */
+	/* "-plot" FILE COLUMN ..., "-right" COLUMN ..., "-x" COLUMN, "-style" STYLE, in the order of the command line */
 	struct ts_word_list plot;
 	struct ts_word_list marks;
 	bool plots, plot_words; /* -plot is given; options that belong to it are */

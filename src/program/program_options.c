@@ -38,6 +38,7 @@ enum option_id {
 	OPT_JOBS,
 	OPT_RESULTS,
 	OPT_PLOT,
+	OPT_RIGHT,
 	OPT_X,
 	OPT_STYLE,
 	OPT_MARK,
@@ -45,11 +46,13 @@ enum option_id {
 	OPT_OUT,
 	OPT_XRANGE,
 	OPT_YRANGE,
+	OPT_RIGHTRANGE,
 	OPT_PART,
 	OPT_BY,
 	OPT_TITLE,
 	OPT_XLABEL,
 	OPT_YLABEL,
+	OPT_RIGHTLABEL,
 	OPT_SIZE,
 	OPT_HELP,
 	OPT_DOC,
@@ -102,18 +105,21 @@ static const struct {
 	[OPT_RESULTS] = { "results", "FOLDER", "with both: folder of the table and the runs (results)", 1 },
 	[OPT_PLOT] = { "plot", "FILE [COLUMN ...]",
 		       "draw columns of a log or table; several times: of all files", 1 },
-	[OPT_X] = { "x", "COLUMN", "with -plot: of the horizontal axis; -log x|y|xy: logarithmic axes", 1 },
+	[OPT_RIGHT] = { "right", "COLUMN ...", "with -plot: of the file, by an axis on the right", 1 },
+	[OPT_X] = { "x", "COLUMN", "with -plot: of the horizontal axis; -log x|y|xy|r: logarithmic axes", 1 },
 	[OPT_STYLE] = { "style", "lines|points|both|steps", "with -plot: how curves are drawn", 1 },
 	[OPT_MARK] = { "mark", "x|y=VALUE[:NAME] ...", "with -plot: lines across", 1 },
 	[OPT_PANELS] = { "panels", "", "with -plot: a plot for each column, below each other", 0 },
 	[OPT_OUT] = { "o", "FILE", "with -plot: picture, .svg or .png; without it the terminal is used", 1 },
 	[OPT_XRANGE] = { "xrange", "LO:HI", "with -plot: ends of the axis, either may be left out", 1 },
 	[OPT_YRANGE] = { "yrange", "LO:HI", "with -plot: the same of the vertical axis", 1 },
+	[OPT_RIGHTRANGE] = { "rightrange", "LO:HI", "with -plot: the same of the axis on the right", 1 },
 	[OPT_PART] = { "part", "N|last|all", "with -plot: which run of a log, which block of an average", 1 },
 	[OPT_BY] = { "by", "COLUMN,...", "with -plot: a curve for each value of these columns", 1 },
 	[OPT_TITLE] = { "title", "TEXT", "with -plot: title, '' for none (name of the file)", 1 },
 	[OPT_XLABEL] = { "xlabel", "TEXT", "with -plot: name of the axis, its unit in parentheses", 1 },
 	[OPT_YLABEL] = { "ylabel", "TEXT", "with -plot: the same of the vertical axis", 1 },
+	[OPT_RIGHTLABEL] = { "rightlabel", "TEXT", "with -plot: the same of the axis on the right", 1 },
 	[OPT_SIZE] = { "size", "WIDTHxHEIGHT", "with -plot: of a plot, letters are 13 high (480x320)", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
@@ -294,11 +300,17 @@ static int apply_plot(struct ts_setup *setup, enum option_id id, char *const *va
 {
 	struct ts_plot_words *w = &setup->plotted;
 	const char **const place[OPT_SIZE - OPT_OUT + 1] = {
-		[OPT_OUT - OPT_OUT] = &w->out,	     [OPT_XRANGE - OPT_OUT] = &w->xrange,
-		[OPT_YRANGE - OPT_OUT] = &w->yrange, [OPT_PART - OPT_OUT] = &w->part,
-		[OPT_BY - OPT_OUT] = &w->by,	     [OPT_TITLE - OPT_OUT] = &w->title,
-		[OPT_XLABEL - OPT_OUT] = &w->xlabel, [OPT_YLABEL - OPT_OUT] = &w->ylabel,
-		[OPT_SIZE - OPT_OUT] = &w->size
+		[OPT_OUT - OPT_OUT] = &w->out,
+		[OPT_XRANGE - OPT_OUT] = &w->xrange,
+		[OPT_YRANGE - OPT_OUT] = &w->yrange,
+		[OPT_PART - OPT_OUT] = &w->part,
+		[OPT_BY - OPT_OUT] = &w->by,
+		[OPT_TITLE - OPT_OUT] = &w->title,
+		[OPT_XLABEL - OPT_OUT] = &w->xlabel,
+		[OPT_YLABEL - OPT_OUT] = &w->ylabel,
+		[OPT_SIZE - OPT_OUT] = &w->size,
+		[OPT_RIGHTRANGE - OPT_OUT] = &w->right_range,
+		[OPT_RIGHTLABEL - OPT_OUT] = &w->right_label,
 	};
 
 	setup->plots |= id == OPT_PLOT;
@@ -306,6 +318,8 @@ static int apply_plot(struct ts_setup *setup, enum option_id id, char *const *va
 	switch (id) {
 	case OPT_PLOT:
 		return add_words(&setup->plot, "-plot", value, n);
+	case OPT_RIGHT:
+		return add_words(&setup->plot, "-right", value, n);
 	case OPT_X:
 		return add_words(&setup->plot, "-x", value, n);
 	case OPT_STYLE:
@@ -423,8 +437,11 @@ static int check_together(const struct ts_setup *setup)
 		setup->vary.n || setup->replicate.n || setup->tolerance > 0 || setup->jobs || setup->results;
 
 	if (!setup->plots && setup->plot_words)
-		return ts_program_usage_error("-x, -style, -mark, -panels, -o, -xrange, -yrange, -part, -by, "
-					      "-title, -xlabel, -ylabel and -size belong to -plot, which is "
+		return ts_program_usage_error("-x, -right, -style, -mark, -panels, -o, -xrange, -yrange, "
+					      "-rightrange, "
+					      "-part, -by, -title, -xlabel, -ylabel, -rightlabel and -size "
+					      "belong to "
+					      "-plot, which is "
 					      "not given%s%s",
 					      "", "");
 	if (!setup->studied && left)
@@ -458,8 +475,8 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		if (id == NOPTIONS)
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
-			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT || id == OPT_MARK ||
-			   id == OPT_REPORT || (id >= OPT_SWEEP && id <= OPT_REPLICATE);
+			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT || id == OPT_RIGHT ||
+			   id == OPT_MARK || id == OPT_REPORT || (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;
 		if (n < options[id].least)

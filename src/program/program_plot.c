@@ -61,10 +61,21 @@ static int refuse_conflicts(const struct ts_setup *setup)
 /* The options that the list of words has. */
 static bool begins_words(const char *text)
 {
-	return ts_streq(text, "-plot") || ts_streq(text, "-x") || ts_streq(text, "-style");
+	return ts_streq(text, "-plot") || ts_streq(text, "-right") || ts_streq(text, "-x") ||
+	       ts_streq(text, "-style");
 }
 
-/* The words are "-plot" FILE COLUMN ..., "-x" COLUMN, "-style" STYLE. The last two hold for the file before them; for all
+/* The words up to the next option. */
+static struct ts_words take_words(const struct ts_word_list *list, size_t *k)
+{
+	struct ts_words words = { &list->word[*k], 0 };
+
+	for (; *k < list->n && !begins_words(list->word[*k].text); ++*k)
+		words.n++;
+	return words;
+}
+
+/* The words are "-plot" FILE COLUMN ..., "-right" COLUMN ..., "-x" COLUMN, "-style" STYLE. The last two hold for the file before them; for all
  * files if they are given once. */
 static int read_sources(const struct ts_word_list *list, struct ts_view_source *source, size_t *n)
 {
@@ -82,10 +93,17 @@ static int read_sources(const struct ts_word_list *list, struct ts_view_source *
 				return ts_program_usage_error("-plot is given more than 16 times%s%s", "",
 							      "");
 			source[*n] =
-				(struct ts_view_source){ .path = value, .columns = { &list->word[k], 0 } };
-			for (; k < list->n && !begins_words(list->word[k].text); k++)
-				source[*n].columns.n++;
+				(struct ts_view_source){ .path = value, .columns = take_words(list, &k) };
 			++*n;
+		} else if (ts_streq(option, "-right")) {
+			if (!last || last->right.n)
+				return ts_program_usage_error("-right %s%s",
+							      last ? "is given twice for "
+								   : "follows -plot FILE, ",
+							      last ? last->path
+								   : "of which it names columns");
+			k--; /* its first value is a column as the others */
+			last->right = take_words(list, &k);
 		} else if (ts_streq(option, "-x")) {
 			x = value;
 			xs++;
@@ -117,6 +135,8 @@ int ts_program_plot(struct tsim *sim, const struct ts_setup *setup)
 				    .title = w->title,
 				    .xlabel = w->xlabel,
 				    .ylabel = w->ylabel,
+				    .right_label = w->right_label,
+				    .right_range = w->right_range,
 				    .size = w->size,
 				    .panels = w->panels,
 				    .marks = { setup->marks.word, setup->marks.n },

@@ -20,7 +20,7 @@ struct picture {
 	struct ts_view_data *data;
 	struct ts_plot *plot; /* [plots] */
 	size_t plots;
-	struct ts_plot_axis x, y; /* settings for all */
+	struct ts_plot_axis x, y, right; /* settings for all */
 	int width, height;
 	struct ts_plot_mark *mark; /* [marks] */
 	size_t marks;
@@ -122,22 +122,49 @@ static enum ts_status parse_marks(struct picture *p)
 	return TS_OK;
 }
 
+/* The axis on the right needs curves, and the one on the left as well. */
+static enum ts_status check_right(const struct picture *p)
+{
+	const struct ts_view_input *in = p->data->in;
+	size_t left = 0, right = 0;
+
+	for (size_t k = 0; k < in->n; k++) {
+		left += in->source[k].columns.n;
+		right += in->source[k].right.n;
+	}
+	if (!right && (p->right.log || in->right_range || in->right_label))
+		return ts_fail(&p->data->sim->error, TS_SYNTAX, NULL,
+			       "-log r, -rightrange and -rightlabel belong to -right, which is not given");
+	if (right && !left)
+		return ts_fail(&p->data->sim->error, TS_SYNTAX, NULL,
+			       "all columns are on the right axis: name one for the left after -plot FILE");
+	if (right && in->panels)
+		return ts_fail(&p->data->sim->error, TS_SYNTAX, NULL,
+			       "-panels and -right cannot be given together: panels have one column each");
+	return TS_OK;
+}
+
 static enum ts_status parse_words(struct picture *p)
 {
 	const struct ts_view_input *in = p->data->in;
 	struct ts_error *err = &p->data->sim->error;
 	const char *log = in->log ? in->log : "";
 
-	if (in->log && !ts_streq(log, "x") && !ts_streq(log, "y") && !ts_streq(log, "xy"))
-		return ts_fail(err, TS_SYNTAX, NULL, "-log is '%s', expected x, y or xy with -plot", log);
 	p->x.log = strchr(log, 'x') != NULL;
 	p->y.log = strchr(log, 'y') != NULL;
+	p->right.log = strchr(log, 'r') != NULL;
+	if (in->log && (!*log || strlen(log) != (size_t)(p->x.log + p->y.log + p->right.log)))
+		return ts_fail(err, TS_SYNTAX, NULL,
+			       "-log is '%s', expected x, y or xy with -plot, with r for the axis of -right",
+			       log);
 	if (in->out && !ts_ends_with(in->out, ".svg") && !ts_ends_with(in->out, ".png"))
 		return ts_fail(err, TS_SYNTAX, NULL, "-o is '%s', expected a name that ends in .svg or .png",
 			       in->out);
 	TS_TRY(parse_size(p, in->size));
 	TS_TRY(parse_range(err, "-xrange", in->xrange, &p->x));
 	TS_TRY(parse_range(err, "-yrange", in->yrange, &p->y));
+	TS_TRY(parse_range(err, "-rightrange", in->right_range, &p->right));
+	TS_TRY(check_right(p));
 	return parse_marks(p);
 }
 
@@ -183,9 +210,20 @@ static enum ts_status name_series(struct picture *p, struct ts_view_curve *c, bo
 	struct ts_str text = { 0 };
 
 	ts_str_addf(&text, "%s%s%s", many ? c->column : "", many && *c->name ? ", " : "", c->name);
+	if (c->series.right)
+		ts_str_add(&text, text.length ? " (right)" : "right");
 	c->series.name = text.failed ? NULL : ts_arena_strdup(&p->data->arena, ts_str_text(&text));
 	ts_str_release(&text);
 	return c->series.name ? TS_OK : ts_nomem(&p->data->sim->error);
+}
+
+/* The first curve from index `from` on by the left or the right axis; NULL: none. */
+static const struct ts_view_curve *first_of(const struct ts_view_data *v, size_t from, bool right)
+{
+	for (size_t k = from; k < v->curves; k++)
+		if (v->curve[k].series.right == right)
+			return &v->curve[k];
+	return NULL;
 }
 
 /* Fills a plot with the curves from index `from` on. */
@@ -195,18 +233,25 @@ static enum ts_status fill_plot(struct picture *p, struct ts_plot *plot, size_t 
 	const struct ts_view_file *f = &v->file[0];
 	const size_t n = v->curves - from;
 	struct ts_plot_series *series = ts_arena_alloc(&v->arena, n, sizeof *series);
-	bool many = false;
+	const struct ts_view_curve *left = first_of(v, from, false), *right = first_of(v, from, true);
+	bool many = false, many_left = false, many_right = false;
 
 	if (!series)
 		return ts_nomem(&v->sim->error);
-	for (size_t k = from; k < v->curves; k++)
-		many |= !ts_streq(v->curve[k].column, v->curve[from].column);
+	for (size_t k = from; k < v->curves; k++) {
+		const struct ts_view_curve *c = &v->curve[k];
+
+		many |= !ts_streq(c->column, v->curve[from].column);
+		many_left |= !c->series.right && !ts_streq(c->column, left->column);
+		many_right |= c->series.right && !ts_streq(c->column, right->column);
+	}
 	for (size_t k = 0; k < n; k++) {
 		TS_TRY(name_series(p, &v->curve[from + k], many));
 		series[k] = v->curve[from + k].series;
 	}
 	*plot = (struct ts_plot){ .x = p->x,
 				  .y = p->y,
+				  .right = p->right,
 				  .series = series,
 				  .n = n,
 				  .mark = p->mark,
@@ -219,8 +264,10 @@ static enum ts_status fill_plot(struct picture *p, struct ts_plot *plot, size_t 
 		plot->title = f->source->path;
 	if (v->in->xlabel || f->x != SIZE_MAX)
 		TS_TRY(set_label(p, &plot->x, v->in->xlabel ? v->in->xlabel : f->part[0]->column[f->x].name));
-	if (v->in->ylabel || !many)
-		TS_TRY(set_label(p, &plot->y, v->in->ylabel ? v->in->ylabel : v->curve[from].column));
+	if (v->in->ylabel || (left && !many_left))
+		TS_TRY(set_label(p, &plot->y, v->in->ylabel ? v->in->ylabel : left->column));
+	if (v->in->right_label || (right && !many_right))
+		TS_TRY(set_label(p, &plot->right, v->in->right_label ? v->in->right_label : right->column));
 	return TS_OK;
 }
 
@@ -228,7 +275,8 @@ static enum ts_status fill_plot(struct picture *p, struct ts_plot *plot, size_t 
 static enum ts_status make_plots(struct picture *p)
 {
 	struct ts_view_data *v = p->data;
-	const bool together = v->in->source[0].columns.n > 0 && !v->in->panels;
+	const bool together =
+		(v->in->source[0].columns.n > 0 || v->in->source[0].right.n > 0) && !v->in->panels;
 	const size_t panels = together ? 1 : v->file[0].ny;
 
 	p->plot = ts_arena_alloc(&v->arena, panels, sizeof *p->plot);
@@ -309,7 +357,7 @@ enum ts_status ts_view(struct tsim *sim, const struct ts_view_input *in, struct 
 		status = ts_view_data_read(&data);
 	if (status == TS_OK)
 		status = set_styles(&p);
-	if (status == TS_OK && !in->out && !in->source[0].columns.n) {
+	if (status == TS_OK && !in->out && !in->source[0].columns.n && !in->source[0].right.n) {
 		for (size_t k = 0; k < in->n && status == TS_OK; k++)
 			status = ts_view_overview(&data, &data.file[k], text);
 	} else if (status == TS_OK) {
@@ -325,12 +373,15 @@ void ts_view_help(struct ts_str *out)
 {
 	ts_str_add(out,
 		   "  tsim -plot FILE                                list of all columns, with their course\n"
-		   "  tsim -plot FILE COLUMN ... [-x COLUMN]         on the terminal\n"
+		   "  tsim -plot FILE COLUMN ... [-x COLUMN[+-ERROR]] on the terminal\n"
 		   "  tsim -plot FILE [COLUMN ...] -o FILE.svg       picture, .svg or .png\n"
 		   "  tsim -plot FILE COLUMN -plot FILE2 [COLUMN]    curves of several files\n"
 		   "  COLUMN is NAME[+-ERROR][=LABEL]; names may be numbers from 1 on, or formulas: "
 		   "'100*ke/$3=share'\n"
-		   "  -log x|y|xy  -xrange LO:HI  -yrange LO:HI  -style lines|points|both|steps\n"
+		   "  -right COLUMN ...  of the file before, by a second axis on the right;  -rightlabel "
+		   "TEXT  "
+		   "-rightrange LO:HI\n"
+		   "  -log x|y|xy|r  -xrange LO:HI  -yrange LO:HI  -style lines|points|both|steps\n"
 		   "  -mark y=VALUE[:NAME]  -title TEXT  -xlabel TEXT  -ylabel TEXT  -size WIDTHxHEIGHT  "
 		   "-panels\n"
 		   "  -part N|last|all  run of a log, block of an average;  -by COLUMN,...  a curve for each "

@@ -10,25 +10,25 @@ struct ts_view_source {
 	const char *path;
 	/* NAME[+-ERROR][=LABEL], by name or number; none: those of the source before, else all */
 	struct ts_words columns;
-	const char *x;	   /* column of the horizontal axis */
-	const char *style; /* lines, points, both, steps */
+	struct ts_words right; /* columns by the axis on the right */
+	const char *x;	       /* column of the horizontal axis, [+-ERROR] */
+	const char *style;     /* lines, points, both, steps */
 };
 
 struct ts_view_input {
 	const struct ts_view_source *source;
 	size_t n;	   /* >= 1 */
 	const char *out;   /* .svg or .png; NULL: terminal */
-	const char *x;	   /* column */
-	const char *log;   /* x, y or xy */
+	const char *log;   /* some of x, y and r, the right axis */
 	const char *by;	   /* columns, separated by commas: a curve for each set of their values */
 	const char *part;  /* number of the run or block; last, all */
 	const char *style; /* lines, points, both, steps */
 	const char *title; /* "": none */
-	const char *xlabel, *ylabel;
-	bool panels;		     /* a plot for each column, also if they are named */
-	const char *size;	     /* WIDTHxHEIGHT of a plot in units of plot.h */
-	const char *xrange, *yrange; /* LO:HI, either may be absent */
-	struct ts_words marks;	     /* x=VALUE[:NAME], y=VALUE[:NAME] */
+	const char *xlabel, *ylabel, *right_label;
+	bool panels;				   /* a plot for each column, also if they are named */
+	const char *size;			   /* WIDTHxHEIGHT of a plot in units of plot.h */
+	const char *xrange, *yrange, *right_range; /* LO:HI, either may be absent */
+	struct ts_words marks;			   /* x=VALUE[:NAME], y=VALUE[:NAME] */
 	struct ts_plot_terminal terminal;
 };
 

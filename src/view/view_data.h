@@ -9,6 +9,7 @@
 struct ts_view_column {
 	size_t column, error; /* error: SIZE_MAX: none */
 	const char *label;    /* NULL: its name */
+	bool right;	      /* by the axis on the right */
 };
 
 /* A file. Its parts that are drawn have the same columns. */
@@ -19,6 +20,7 @@ struct ts_view_file {
 	size_t parts, left_out;	      /* left_out: parts with other columns */
 	bool joined;		      /* all parts are one curve */
 	size_t x;		      /* column; SIZE_MAX: the number of the row */
+	size_t x_error;		      /* SIZE_MAX: none */
 	struct ts_view_column *y;     /* [ny] */
 	size_t ny;
 	enum ts_plot_style style;
@@ -30,8 +32,8 @@ struct ts_view_curve {
 	const char *name;   /* what tells it from other curves of the column; "": nothing */
 	const char *column; /* its label */
 	struct ts_plot_series series;
-	double *x, *y, *error;
-	size_t capacity[3];
+	double *x, *y, *error, *x_error;
+	size_t capacity[4];
 };
 
 struct ts_view_data {

@@ -224,14 +224,12 @@ static enum ts_status choose_parts(struct ts_view_data *v, struct ts_view_file *
 
 /* ---- columns */
 
-static enum ts_status set_x(const struct ts_view_data *v, struct ts_view_file *f)
+static void guess_x(struct ts_view_file *f)
 {
 	static const char *const names[] = { "Step",  "TimeStep", "Timestep", "step",
 					     "Coord", "Coord1",	  "TimeDelta" };
 	const struct ts_sheet *t = f->part[0];
 
-	if (f->source->x)
-		return ts_view_find(v, f, f->source->x, &f->x);
 	for (size_t k = 0; k < sizeof names / sizeof *names && f->x == SIZE_MAX; k++)
 		for (size_t c = 0; c < t->columns && f->x == SIZE_MAX; c++)
 			if (ts_streq(t->column[c].name, names[k]))
@@ -239,7 +237,6 @@ static enum ts_status set_x(const struct ts_view_data *v, struct ts_view_file *f
 	for (size_t c = 0; c < t->columns && f->x == SIZE_MAX && t->columns > 1; c++)
 		if (!t->column[c].text)
 			f->x = c;
-	return TS_OK;
 }
 
 /* A copy of a part of a text. */
@@ -250,6 +247,32 @@ static const char *part_of(struct ts_view_data *v, const char *from, size_t n)
 	if (copy)
 		memcpy(copy, from, n);
 	return copy;
+}
+
+/* NAME[+-ERROR]; *n bytes of the word are the name. */
+static enum ts_status parse_error(struct ts_view_data *v, struct ts_view_file *f, const char *word, size_t *n,
+				  size_t *column)
+{
+	const char *error = strstr(word, "+-"), *name;
+
+	*column = SIZE_MAX;
+	if (!error || error >= word + *n)
+		return TS_OK;
+	name = part_of(v, error + 2, (size_t)(word + *n - error) - 2);
+	*n = (size_t)(error - word);
+	return name ? ts_view_find(v, f, name, column) : ts_nomem(&v->sim->error);
+}
+
+/* -x NAME[+-ERROR] */
+static enum ts_status parse_x(struct ts_view_data *v, struct ts_view_file *f, const char *word)
+{
+	size_t n = strlen(word);
+	const char *name;
+
+	if (ts_sheet_find(f->part[0], word) == SIZE_MAX)
+		TS_TRY(parse_error(v, f, word, &n, &f->x_error));
+	name = part_of(v, word, n);
+	return name ? ts_view_find(v, f, name, &f->x) : ts_nomem(&v->sim->error);
 }
 
 /* The `=` before a label; those of == != <= >= belong to a formula. NULL: there is none. */
@@ -270,7 +293,7 @@ static const char *find_label(const char *word)
 static enum ts_status parse_column(struct ts_view_data *v, struct ts_view_file *f, const char *word,
 				   struct ts_view_column *out)
 {
-	const char *equal = find_label(word), *error = strstr(word, "+-"), *name = word, *error_name = NULL;
+	const char *equal = find_label(word), *name = word;
 	size_t n = strlen(word);
 
 	*out = (struct ts_view_column){ .error = SIZE_MAX };
@@ -279,45 +302,46 @@ static enum ts_status parse_column(struct ts_view_data *v, struct ts_view_file *
 			out->label = equal + 1;
 			n = (size_t)(equal - word);
 		}
-		if (error && error < word + n) {
-			error_name = part_of(v, error + 2, (size_t)(word + n - error) - 2);
-			n = (size_t)(error - word);
-			if (!error_name)
-				return ts_nomem(&v->sim->error);
-			TS_TRY(ts_view_find(v, f, error_name, &out->error));
-		}
+		TS_TRY(parse_error(v, f, word, &n, &out->error));
 		name = part_of(v, word, n);
 		if (!name)
 			return ts_nomem(&v->sim->error);
 	}
 	TS_TRY(ts_view_find(v, f, name, &out->column));
-	if (!error_name)
+	if (out->error == SIZE_MAX)
 		out->error = find_beside(f->part[0], out->column, "_error");
 	return TS_OK;
 }
 
-static enum ts_status set_y(struct ts_view_data *v, struct ts_view_file *f, const struct ts_words *named)
+static enum ts_status set_y(struct ts_view_data *v, struct ts_view_file *f, const struct ts_words *named,
+			    const struct ts_words *right)
 {
 	const struct ts_sheet *t = f->part[0];
 
-	f->y = ts_arena_alloc(&v->arena, named->n + t->columns, sizeof *f->y);
+	f->y = ts_arena_alloc(&v->arena, named->n + right->n + t->columns, sizeof *f->y);
 	if (!f->y)
 		return ts_nomem(&v->sim->error);
 	for (size_t k = 0; k < named->n; k++)
 		TS_TRY(parse_column(v, f, named->word[k].text, &f->y[f->ny++]));
-	for (size_t k = 0; k < t->columns && !named->n; k++)
+	for (size_t k = 0; k < right->n; k++) {
+		TS_TRY(parse_column(v, f, right->word[k].text, &f->y[f->ny]));
+		f->y[f->ny++].right = true;
+	}
+	for (size_t k = 0; k < t->columns && !named->n && !right->n; k++)
 		if (ts_view_is_drawn(f, k))
-			f->y[f->ny++] = (struct ts_view_column){ k, find_beside(t, k, "_error"), NULL };
+			f->y[f->ny++] =
+				(struct ts_view_column){ .column = k, .error = find_beside(t, k, "_error") };
 	return f->ny ? TS_OK
 		     : ts_fail(&v->sim->error, TS_SYNTAX, NULL, "%s has no column to be drawn besides '%s'",
 			       f->source->path, f->x == SIZE_MAX ? "" : t->column[f->x].name);
 }
 
-static enum ts_status read_file(struct ts_view_data *v, struct ts_view_file *f, const struct ts_words *named)
+static enum ts_status read_file(struct ts_view_data *v, struct ts_view_file *f, const struct ts_words *named,
+				const struct ts_words *right)
 {
 	struct tsim *sim = v->sim;
 
-	f->x = SIZE_MAX;
+	f->x = f->x_error = SIZE_MAX;
 	TS_TRY(ts_sheets_read(&f->sheets, &sim->files, &sim->error, sim->pool, f->source->path));
 	if (f->sheets.torn)
 		ts_warn(&sim->log,
@@ -329,25 +353,27 @@ static enum ts_status read_file(struct ts_view_data *v, struct ts_view_file *f, 
 			"%s: %zu of %zu runs left out, which have other columns; -part N shows one",
 			f->source->path, f->left_out, f->sheets.n);
 	if (f->source->x)
-		TS_TRY(set_x(v, f));
+		TS_TRY(parse_x(v, f, f->source->x));
 	TS_TRY(set_roles(v, f));
 	TS_TRY(set_by(v, f));
-	TS_TRY(set_x(v, f));
-	return set_y(v, f, named);
+	guess_x(f);
+	return set_y(v, f, named, right);
 }
 
 enum ts_status ts_view_data_read(struct ts_view_data *v)
 {
-	struct ts_words named = { 0 };
+	struct ts_words named = { 0 }, right = { 0 };
 
 	v->file = ts_arena_alloc(&v->arena, v->in->n, sizeof *v->file);
 	if (!v->file)
 		return ts_nomem(&v->sim->error);
 	for (size_t k = 0; k < v->in->n; k++) {
 		v->file[k].source = &v->in->source[k];
-		if (v->in->source[k].columns.n)
+		if (v->in->source[k].columns.n || v->in->source[k].right.n) {
 			named = v->in->source[k].columns;
-		TS_TRY(read_file(v, &v->file[k], &named));
+			right = v->in->source[k].right;
+		}
+		TS_TRY(read_file(v, &v->file[k], &named, &right));
 	}
 	return TS_OK;
 }

@@ -17,6 +17,10 @@ struct strand {
 	size_t model; /* row of the first part that has the values of the group; SIZE_MAX: no groups */
 };
 
+struct point {
+	double x, y, error, x_error;
+};
+
 static bool is_in_group(const struct strand *s, const struct ts_sheet *t, size_t row)
 {
 	for (size_t k = 0; k < s->file->nby && s->model != SIZE_MAX; k++) {
@@ -29,16 +33,23 @@ static bool is_in_group(const struct strand *s, const struct ts_sheet *t, size_t
 	return true;
 }
 
-static enum ts_status add_point(struct ts_view_curve *c, double x, double y, double error)
+static void set_point(struct ts_view_curve *c, size_t n, struct point p)
+{
+	c->x[n] = p.x;
+	c->y[n] = p.y;
+	c->error[n] = p.error;
+	c->x_error[n] = p.x_error;
+}
+
+static enum ts_status add_point(struct ts_view_curve *c, struct point p)
 {
 	const size_t n = c->series.n;
 
 	TS_TRY(TS_GROW(c->x, c->capacity[0], n + 1));
 	TS_TRY(TS_GROW(c->y, c->capacity[1], n + 1));
 	TS_TRY(TS_GROW(c->error, c->capacity[2], n + 1));
-	c->x[n] = x;
-	c->y[n] = y;
-	c->error[n] = error;
+	TS_TRY(TS_GROW(c->x_error, c->capacity[3], n + 1));
+	set_point(c, n, p);
 	c->series.n++;
 	return TS_OK;
 }
@@ -49,9 +60,15 @@ static bool is_absent(const struct ts_sheet_column *c, size_t row)
 	return c->cell && !*c->cell[row];
 }
 
+/* Of a column that there may be. */
+static double value_at(const struct ts_sheet *t, size_t column, size_t row, double otherwise)
+{
+	return column == SIZE_MAX ? otherwise : t->column[column].value[row];
+}
+
 static enum ts_status add_points(struct ts_view_curve *c, const struct strand *s)
 {
-	const size_t x = s->file->x, error = s->y->error;
+	const size_t x = s->file->x;
 
 	for (size_t p = s->from; p < s->to; p++) {
 		const struct ts_sheet *t = s->file->part[p];
@@ -59,19 +76,15 @@ static enum ts_status add_points(struct ts_view_curve *c, const struct strand *s
 		for (size_t row = 0; row < t->rows; row++)
 			if (is_in_group(s, t, row) && !is_absent(&t->column[s->y->column], row))
 				TS_TRY(add_point(c,
-						 x == SIZE_MAX ? (double)c->series.n
-							       : t->column[x].value[row],
-						 t->column[s->y->column].value[row],
-						 error == SIZE_MAX ? NAN : t->column[error].value[row]));
+						 (struct point){ value_at(t, x, row, (double)c->series.n),
+								 t->column[s->y->column].value[row],
+								 value_at(t, s->y->error, row, NAN),
+								 value_at(t, s->file->x_error, row, NAN) }));
 	}
 	return TS_OK;
 }
 
 /* ---- order of x, in studies */
-
-struct point {
-	double x, y, error;
-};
 
 static int compare_x(const void *a, const void *b)
 {
@@ -88,13 +101,10 @@ static enum ts_status sort_points(struct ts_view_curve *c)
 	if (!p)
 		return TS_NOMEM;
 	for (size_t k = 0; k < n; k++)
-		p[k] = (struct point){ c->x[k], c->y[k], c->error[k] };
+		p[k] = (struct point){ c->x[k], c->y[k], c->error[k], c->x_error[k] };
 	ts_sort(p, n, sizeof *p, compare_x);
-	for (size_t k = 0; k < n; k++) {
-		c->x[k] = p[k].x;
-		c->y[k] = p[k].y;
-		c->error[k] = p[k].error;
-	}
+	for (size_t k = 0; k < n; k++)
+		set_point(c, k, p[k]);
 	ts_free(p);
 	return TS_OK;
 }
@@ -147,6 +157,8 @@ static enum ts_status add_curve(struct ts_view_data *v, const struct strand *s)
 	c->series.x = c->x;
 	c->series.y = c->y;
 	c->series.error = s->y->error == SIZE_MAX ? NULL : c->error;
+	c->series.x_error = s->file->x_error == SIZE_MAX ? NULL : c->x_error;
+	c->series.right = s->y->right;
 	c->series.style = s->file->style;
 	return status == TS_OK ? TS_OK : ts_nomem(&v->sim->error);
 }
@@ -191,6 +203,7 @@ void ts_view_data_forget(struct ts_view_data *v)
 		ts_free(v->curve[k].x);
 		ts_free(v->curve[k].y);
 		ts_free(v->curve[k].error);
+		ts_free(v->curve[k].x_error);
 		v->curve[k] = (struct ts_view_curve){ 0 };
 	}
 	v->curves = 0;

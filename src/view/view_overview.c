@@ -111,7 +111,8 @@ enum ts_status ts_view_overview(struct ts_view_data *v, const struct ts_view_fil
 			ts_str_addf(out, " words, such as '%.40s'\n", t->column[k].text);
 			continue;
 		}
-		TS_TRY(ts_view_data_curves(v, &plain, &(struct ts_view_column){ k, SIZE_MAX, NULL }));
+		TS_TRY(ts_view_data_curves(v, &plain,
+					   &(struct ts_view_column){ .column = k, .error = SIZE_MAX }));
 		c = &v->curve[v->curves - 1];
 		s = summarize(c);
 		if (!s.n)

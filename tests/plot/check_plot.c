@@ -139,9 +139,9 @@ END_TEST
 START_TEST(small_pictures)
 {
 	const double y[] = { -123456.78901, -123456.78902 };
-	const struct ts_plot_series s = {
-		"a long name of a series that fills a line alone", NULL, y, NULL, 2, 0, 0
-	};
+	const struct ts_plot_series s = { .name = "a long name of a series that fills a line alone",
+					  .y = y,
+					  .n = 2 };
 	const struct ts_plot p = { .title = "words and words and words and words and words",
 				   .y = { "also a rather long name of an axis", "m" },
 				   .series = &s,
@@ -178,6 +178,59 @@ START_TEST(errors_and_marks)
 	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
 	ck_assert(ts_plot_error_bar(&l, &s, 0, &top, &bottom));
 	ck_assert(bottom == l.bottom && top > l.top && top < bottom);
+	ts_plot_layout_release(&l);
+}
+END_TEST
+
+/* Each y axis has the range of its own curves; they fill the same frame, and the right one takes room from it. */
+START_TEST(two_axes)
+{
+	const double low[] = { 0, 1 }, high[] = { 100, 10000 };
+	const struct ts_plot_series s[] = { { .y = low, .n = 2 }, { .y = high, .n = 2, .right = true } };
+	struct ts_plot p = { .right = { .log = true, .label = "gap" }, .series = s, .n = 2 };
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_trace t = { 0 };
+	struct ts_plot_layout l, one;
+	struct ts_plot_extent e;
+
+	ts_plot_extent(&p, &e);
+	ck_assert(e.lo[1] == 0 && e.hi[1] == 1 && e.lo[2] == 100 && e.hi[2] == 10000 && !e.hidden);
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(l.has_right && l.right_title.n == 1);
+	ck_assert(ts_plot_trace_points(&t, &l, &s[0]) == TS_OK);
+	DECK_NEAR(t.vertex[1].y, l.bottom - ts_plot_scale_at(&l.y, 1) * (l.bottom - l.top), 1e-9);
+	ck_assert(ts_plot_trace_points(&t, &l, &s[1]) == TS_OK);
+	DECK_NEAR(t.vertex[1].y, l.bottom - ts_plot_scale_at(&l.y2, 1e4) * (l.bottom - l.top), 1e-9);
+	p.n = 1;
+	ck_assert(ts_plot_layout_set(&one, &p, &font) == TS_OK);
+	ck_assert(!one.has_right && one.right > l.right + 7);
+	ts_plot_trace_release(&t);
+	ts_plot_layout_release(&one);
+	ts_plot_layout_release(&l);
+}
+END_TEST
+
+/* Errors of x widen the range of x only; below zero on a logarithmic axis the bar ends at the edge. */
+START_TEST(errors_of_x)
+{
+	const double x[] = { 1, 2 }, y[] = { 3, 4 }, error[] = { 1.5, NAN };
+	const struct ts_plot_series s = { .x = x, .y = y, .x_error = error, .n = 2 };
+	struct ts_plot p = { .series = &s, .n = 1 };
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_layout l;
+	struct ts_plot_extent e;
+	double left, right;
+
+	ck_assert(ts_plot_has_points(&s));
+	ts_plot_extent(&p, &e);
+	ck_assert(e.lo[0] == -0.5 && e.hi[0] == 2.5 && e.lo[1] == 3 && e.hi[1] == 4);
+	p.x.log = true;
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(ts_plot_error_bar_x(&l, &s, 0, &left, &right));
+	ck_assert(left == l.left);
+	DECK_NEAR(right, l.left + ts_plot_scale_at(&l.x, 2.5) * (l.right - l.left), 1e-9);
+	ck_assert(!ts_plot_error_bar_x(&l, &s, 1, &left, &right) &&
+		  !ts_plot_error_bar(&l, &s, 0, &left, &right));
 	ts_plot_layout_release(&l);
 }
 END_TEST
@@ -367,9 +420,11 @@ static void assert_well_formed(const char *text)
 START_TEST(svg_is_well_formed)
 {
 	const double x[] = { 0.1, 0.2, 0.3 }, y[] = { 1, NAN, 3 }, error[] = { 0.1, 0.1, 0.2 };
-	const struct ts_plot_series s[] = { { "a < b & \xff\xc3(", x, y, error, 3, TS_PLOT_AUTO, 0 },
-					    { NULL, x, y, NULL, 3, TS_PLOT_STEPS, 0 },
-					    { "none", x, y, NULL, 0, TS_PLOT_LINES, 3 } };
+	const struct ts_plot_series s[] = {
+		{ .name = "a < b & \xff\xc3(", .x = x, .y = y, .error = error, .n = 3 },
+		{ .x = x, .y = y, .n = 3, .style = TS_PLOT_STEPS },
+		{ .name = "none", .x = x, .y = y, .style = TS_PLOT_LINES, .colour = 3 }
+	};
 	const struct ts_plot_mark mark[] = { { "<limit>", 2, false }, { NULL, 0.15, true } };
 	const struct ts_plot p = { .title = "T\x01 \u00b5 <svg>",
 				   .x = { "x", "m", .log = true },
@@ -528,7 +583,7 @@ END_TEST
 START_TEST(memory)
 {
 	const double y[] = { 1, NAN, 3, 2 }, error[] = { 1, 1, 1, 1 };
-	const struct ts_plot_series s = { "s", NULL, y, error, 4, TS_PLOT_AUTO, 0 };
+	const struct ts_plot_series s = { .name = "s", .y = y, .error = error, .n = 4 };
 	const struct ts_plot p = { .title = "t", .y = { "y", "m" }, .series = &s, .n = 1 };
 	const long before = ts_alloc_balance();
 
@@ -654,6 +709,8 @@ int main(void)
 	tcase_add_test(tcase, given_ends);
 	tcase_add_test(tcase, small_pictures);
 	tcase_add_test(tcase, errors_and_marks);
+	tcase_add_test(tcase, two_axes);
+	tcase_add_test(tcase, errors_of_x);
 	tcase_add_test(tcase, thinning_keeps_extremes);
 	tcase_add_test(tcase, many_rounds);
 	tcase_add_test(tcase, gaps_and_edges);

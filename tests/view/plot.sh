@@ -186,6 +186,25 @@ report 'columns by number, of both files' $?
 	[ "$(grep -c 'class="c[12] bar"' words.svg)" = 1 ] && [ "$(grep -c 'path class="c1"' words.svg)" = 0 ] &&
 	[ "$(grep -c 'path class="c2"' words.svg)" = 2 ]
 report 'labels, errors, styles by file, marks' $?
+printf '# t load cracks e\n1 2 3000 0.25\n2 4 8000 0.25\n3 8 9000 0.5\n' >right
+cp right other
+draws 'an axis on the right, on a terminal' 'cracks (right)' right load -right cracks
+[ "$(grep -c '[+|][0-9]*$' out)" -ge 10 ] && grep -q '+8000$' out && grep -q '^load .*cracks$' out
+report 'its numbers and names' $? out
+"$TSIM" -plot right load -right cracks -rightlabel 'broken bonds' -rightrange 0:10000 -log r -title '' -o right.svg >out 2>&1 &&
+	grep -q '>load<' right.svg && grep -q 'class="e" x="47[0-9.]*" y="[0-9.]*">broken bonds<' right.svg &&
+	grep -q '>cracks (right)<' right.svg && grep -q '>5000<' right.svg && ! grep -q '(10' right.svg
+report 'in SVG, with its own words' $? out
+"$TSIM" -plot right load -right cracks -o right.png && [ "$(png right.png)" = '1440 960' ]
+report 'in PNG' $?
+draws 'the same columns of the second file' 'cracks, other (right)' right load -right cracks -plot other
+draws 'two on the right' '+ cracks (right)   o e (right)' right load -right cracks e -log r
+! grep -q '^load .*cracks' out
+report 'which have no name in common' $?
+draws 'only on the right' '+ cracks (right)' right load -plot other -right cracks=cracks
+"$TSIM" -plot right load -x 't+-e' -o across.svg && [ "$(grep -o 'class="c1 bar" d="[^"]*' across.svg | tr -cd h | wc -c)" = 3 ] &&
+	[ "$(grep -o 'class="c1 bar" d="[^"]*' across.svg | tr -cd v | wc -c)" = 6 ]
+report 'errors of x' $?
 printf '# a=b c\n1 2\n' >equal
 draws 'a name with =' 'a=b' equal a=b -x c
 
@@ -224,6 +243,13 @@ fails 'size' 1 "-size is '480', expected WIDTHxHEIGHT" -plot ave c_ke -size 480
 fails 'mark' 1 "-mark is 'z=1', expected x=VALUE or y=VALUE" -plot ave c_ke -mark z=1
 fails 'mark without number' 1 "-mark is 'y=:a', expected x=VALUE or y=VALUE" -plot ave c_ke -mark y=:a
 fails 'no error' 1 "ave has no column 'e'" -plot ave c_ke+-e=x
+fails 'no error of x' 1 "right has no column 'f'" -plot right load -x t+-f
+fails 'nothing on the left' 1 'all columns are on the right axis: name one for the left' -plot right -right load
+fails 'no right axis' 1 'belong to -right, which is not given' -plot right load -log r
+fails 'axes twice' 1 "-log is 'rr', expected" -plot right load -right cracks -log rr
+fails 'panels' 1 '-panels and -right cannot be given together' -plot right load -right cracks -panels
+fails 'twice' 2 '-right is given twice for right' -plot right load -right cracks -right e
+fails 'without a file' 2 '-right follows -plot FILE' -right cracks -plot right load
 fails 'part' 1 "-part is '5', expected all, last, or a number from 1 to 2" -plot log.tsim -part 5
 fails 'together' 2 '-plot and -in cannot be given together' -plot ave -in in.fall
 fails 'alone' 2 'belong to -plot, which is not given' -x a -in in.fall
