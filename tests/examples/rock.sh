@@ -79,6 +79,14 @@ broken bending
 grep -q ' broken bonds  *= 0, 0 of them' out && grep -q 'has not failed yet' out
 report 'a specimen under confining pressure alone is whole' $? out
 
+# ---- figures ----
+./plot >plots 2>&1
+[ "$(grep -c '^post/.*\.png$' plots)" = "$(find post -name '*.shape.txt' | wc -l)" ] && [ -s post/ucs.png ]
+report 'a figure of each test' $? plots
+./plot nowhere >plots 2>&1
+[ $? = 1 ] && shows 'no results in nowhere' plots
+report 'figures of nothing' $? plots
+
 # ---- what is refused ----
 # refused WORDS SCRIPT OPTIONS...
 refused() {
