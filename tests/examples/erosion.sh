@@ -16,6 +16,8 @@ report 'all angles' $? post/angles.txt
 results 'a scar that deepens' in.evolving 4 -var impacts 10000 -var grains 144
 [ "$(grep -c '^[1-4] ' out)" = 4 ] && [ "$(awk '/ENTRIES$/ { getline; print }' post/evolving.4.txt)" = 16000 ]
 report 'its profiles' $? out
+./plot >plots 2>&1 && [ -s post/profile.png ] && [ -s post/evolving.png ]
+report 'figures' $? plots
 cd ../wear || exit 99
 results 'a layer that slides down a chute' in.chute 1
 ls post/slid.20000.vtk post/chute.20000.vtk >out 2>&1
