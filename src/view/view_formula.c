@@ -107,10 +107,16 @@ static enum ts_status read_formula(const struct ts_view_data *v, const struct ts
 			       of->text);
 }
 
+/* Its text outlives the tables, as an error is printed after they are gone. */
+static struct ts_place place_of(const struct ts_view_data *v, const struct formula *of)
+{
+	return (struct ts_place){ .file = "-plot", .text = ts_pool_get(v->sim->pool, of->text), .line = 1 };
+}
+
 /* Defines the variables of the formula. */
 static enum ts_status define_variables(const struct ts_view_data *v, const struct formula *of)
 {
-	struct ts_place where = { .file = "-plot", .text = of->text, .line = 1 };
+	struct ts_place where = place_of(v, of);
 	struct ts_str line = { 0 };
 	enum ts_status status;
 
@@ -170,7 +176,7 @@ static enum ts_status evaluate(const struct ts_view_data *v, const struct ts_pla
 static enum ts_status add_column(const struct ts_view_data *v, struct ts_sheets *sheets, struct ts_sheet *t,
 				 const struct formula *of)
 {
-	struct ts_place where = { .file = "-plot", .text = of->text, .line = 1 };
+	struct ts_place where = place_of(v, of);
 	struct ts_sheet_column *column = ts_arena_alloc(&sheets->arena, t->columns + 1, sizeof *column);
 	struct ts_script_rows rows[TS_SCRIPT_ROWS];
 	char name[TS_SCRIPT_ROWS][32];
