@@ -49,8 +49,8 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 		double *memory = ts_contact_memory(list, block, at, c),
 		       *stored = ts_contact_history(list, block, at, c), left = keep ? *memory : 0;
 
-		if (*stored !=
-		    left) /* zeros that were never written take no memory: ts_contacts_load_history */
+		/* with all results, zeros that were never written take no memory: ts_contacts_forget_history */
+		if (list->results != TS_RESULTS_KEPT || *stored != left)
 			*stored = left;
 		*memory = *ts_contact_memory(list, block, block->touching, c);
 	}
