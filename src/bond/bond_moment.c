@@ -66,7 +66,7 @@ static void fill_softening(const struct ts_bonds *b, const struct ts_bond_elemen
 	s->release[lane] = damage.release;
 }
 
-/* Constants of the bond of a lane, or of none. `dashpots`, `soft`: NULL if there are none. */
+/* The constants of a lane that rows of equal bonds share. */
 static void fill_sections(struct ts_bond_sections *c, const struct ts_bond_element *e, size_t lane)
 {
 	for (int k = 0; k < TS_BOND_MODES; k++)

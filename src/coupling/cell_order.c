@@ -3,19 +3,33 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/hash.h"
 #include "coupling/interpolation_weights.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
 
-/* Whether particles have moved or changed since they were sorted; they are noted as they are now. */
+static uint64_t hash_grid(const struct ts_grid *grid)
+{
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_add(&hash, grid->n, sizeof grid->n);
+	ts_hash_add(&hash, grid->periodic, sizeof grid->periodic);
+	for (int d = 0; d < 3; d++)
+		ts_hash_add(&hash, grid->face[d], ((size_t)grid->n[d] + 1) * sizeof *grid->face[d]);
+	return ts_hash_value(&hash);
+}
+
+/* Whether the grid is another one, or particles have moved or changed since they were sorted; all is noted as it is
+ * now. */
 static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid)
 {
 	const struct ts_particles *p = sim->particles;
-	bool changed = sort->nlast != p->n || sort->grid != fluid->grid.memory;
+	const uint64_t grid = hash_grid(&fluid->grid);
+	bool changed = sort->nlast != p->n || sort->grid != grid;
 
 	sort->nlast = p->n;
-	sort->grid = fluid->grid.memory;
+	sort->grid = grid;
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static) reduction(|| : changed)
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_cell_sorted *last = &sort->last[i];

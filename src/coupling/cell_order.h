@@ -21,7 +21,7 @@ struct ts_cell_sort {
 		int32_t tag;
 	} * last; /* [nlast] */
 	size_t nlast;
-	const double *grid; /* memory of the grid */
+	uint64_t grid; /* hash of the grid: another fluid may have the memory of the one before */
 	size_t row_capacity, cell_capacity, start_capacity, last_capacity;
 };
 
