@@ -681,6 +681,8 @@ library_sources = \
 	src/image/image_words.c \
 	src/immersed/closed_regions.c \
 	src/immersed/closed_regions.h \
+	src/immersed/connected_cells.c \
+	src/immersed/connected_cells.h \
 	src/immersed/fix_immersed_boundary.c \
 	src/immersed/immersed.c \
 	src/immersed/immersed.h \

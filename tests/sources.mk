@@ -279,6 +279,7 @@ unit_tests = \
 	tests/formula/check_formulas \
 	tests/formula/check_variables \
 	tests/geom/check_geom \
+	tests/immersed/check_connected_cells \
 	tests/impact/check_exact_collision \
 	tests/impact/check_impact_event \
 	tests/insert/check_insertion \
@@ -526,6 +527,10 @@ tests_formula_check_variables_LDADD = $(tests_ldadd)
 tests_geom_check_geom_SOURCES = tests/geom/check_geom.c
 tests_geom_check_geom_CFLAGS = $(tests_cflags)
 tests_geom_check_geom_LDADD = $(tests_ldadd)
+
+tests_immersed_check_connected_cells_SOURCES = tests/immersed/check_connected_cells.c
+tests_immersed_check_connected_cells_CFLAGS = $(tests_cflags)
+tests_immersed_check_connected_cells_LDADD = $(tests_ldadd)
 
 tests_impact_check_exact_collision_SOURCES = tests/impact/check_exact_collision.c
 tests_impact_check_exact_collision_CFLAGS = $(tests_cflags)

@@ -6,6 +6,7 @@
 
 #include "flow/flow_measures.h"
 #include "flow/projection.h"
+#include "immersed/connected_cells.h"
 
 #include "base/banned.h"
 
@@ -19,8 +20,7 @@ static const double UNEVEN = 1e-9;
 /* A region narrower than this number of cells is not resolved: a gap that closes, or a corner. */
 enum { WIDE = 3 };
 
-/* Labels of cells. */
-enum { OUTSIDE = -1, UNLABELLED = 0, FREE = 1, FIRST_REGION = 2 };
+enum { NO_REGION = -1 }; /* of a cell connected to the outside, or alone inside a body */
 
 struct region {
 	/* flow into it through faces of the grid (volume/time): sum, and sum of magnitudes */
@@ -45,9 +45,9 @@ struct body {
 struct ts_closed_search {
 	struct ts_projection *p;
 	const struct ts_grid *grid;
-	uint16_t *owner[3]; /* of lower faces: the body that prescribes the velocity, from 1; 0: none */
-	int32_t *label;	    /* of cells */
-	size_t *stack, nstack;
+	ts_face_owners owner; /* of lower faces: the body that prescribes the velocity */
+	struct ts_connected_cells cells;
+	int32_t *region_of_run;
 	struct body *body;
 	size_t nbodies, body_capacity;
 	struct region *region;
@@ -74,23 +74,26 @@ void ts_closed_search_add_body(struct ts_closed_search *s, const struct ts_insta
 
 /* ---- cells and their faces */
 
-/* One face of a cell: its index in the field of the component, and the cell across. */
-struct link {
-	size_t face, cell;
-	bool boundary; /* there is no cell across */
+/* The region of a cell; NO_REGION also for cells beyond the grid. */
+static int32_t region_of_cell(const struct ts_closed_search *s, const int i[3])
+{
+	for (int d = 0; d < 3; d++)
+		if (i[d] < 0 || i[d] >= s->grid->n[d])
+			return NO_REGION;
+	return s->region_of_run[ts_connected_cells_run(&s->cells, i)];
+}
+
+/* The regions on both sides of a lower face across axis d. */
+struct sides {
+	int32_t below, above;
 };
 
-static struct link neighbour_link(const struct ts_grid *grid, size_t at, const int i[3], int d, int side)
+static struct sides regions_beside(const struct ts_closed_search *s, const int i[3], int d)
 {
-	const size_t s = (size_t)grid->stride[d], all = (size_t)grid->n[d] * s;
-	bool last = i[d] == (side ? grid->n[d] - 1 : 0);
-	struct link link = { side ? at + s : at, side ? at + s : at - s, last && !grid->periodic[d] };
+	int below[3] = { i[0], i[1], i[2] };
 
-	if (last && grid->periodic[d]) {
-		link.face = side ? at + s - all : at;
-		link.cell = side ? at + s - all : at - s + all;
-	}
-	return link;
+	below[d] = i[d] > 0 || !s->grid->periodic[d] ? i[d] - 1 : s->grid->n[d] - 1;
+	return (struct sides){ region_of_cell(s, below), region_of_cell(s, i) };
 }
 
 static double face_area(const struct ts_grid *grid, const int i[3], int d)
@@ -126,23 +129,133 @@ static bool given_velocity_varies(const struct ts_closed_search *s, int d, int s
 	return !is_open(s, d, side) && condition->velocity[d].variable && !condition->once;
 }
 
-/* ---- flood fill */
+/* ---- regions */
 
-static void label_cell(struct ts_closed_search *s, size_t cell, int32_t label)
+static void open_faces(struct ts_closed_search *s)
 {
-	if (s->label[cell] != UNLABELLED)
-		return;
-	s->label[cell] = label;
-	s->stack[s->nstack++] = cell;
+	for (int d = 0; d < s->grid->dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			if (is_open(s, d, side))
+				ts_connected_cells_open_face(&s->cells, s->owner, d, (enum ts_grid_side)side);
 }
 
-static void add_body_face(struct ts_closed_search *s, struct region *region, const int i[3], int d, int side,
-			  uint16_t body)
+static void extend_range(struct region *region, const int first[3], const int last[3])
 {
-	double x[3];
+	for (int d = 0; d < 3; d++) {
+		region->lo[d] = first[d] < region->lo[d] ? first[d] : region->lo[d];
+		region->hi[d] = last[d] > region->hi[d] ? last[d] : region->hi[d];
+	}
+}
 
-	for (int a = 0; a < 3; a++)
-		x[a] = a == d ? s->grid->face[a][i[a] + side] : s->grid->centre[a][i[a]];
+/* Adds a run of a closed set to its region, which begins with the first run. */
+static enum ts_status add_run(struct ts_closed_search *s, size_t run, const int first[3], const int last[3])
+{
+	const size_t set = s->cells.set[run];
+	struct region *region;
+
+	if (set == run) {
+		TS_TRY(TS_GROW(s->region, s->region_capacity, s->nregions + 1));
+		region = &s->region[s->nregions];
+		*region = (struct region){ .face = -1 };
+		memcpy(region->lo, first, sizeof region->lo);
+		memcpy(region->hi, last, sizeof region->hi);
+		s->region_of_run[run] = (int32_t)s->nregions++;
+		return TS_OK;
+	}
+	s->region_of_run[run] = s->region_of_run[set];
+	extend_range(&s->region[s->region_of_run[run]], first, last);
+	return TS_OK;
+}
+
+/* Makes a region of each closed set of cells. */
+static enum ts_status find_regions(struct ts_closed_search *s)
+{
+	const struct ts_connected_cells *cells = &s->cells;
+	size_t row = 0;
+
+	s->region_of_run = ts_alloc(cells->nruns, sizeof *s->region_of_run);
+	if (!s->region_of_run)
+		return TS_NOMEM;
+	for (int k = 0; k < s->grid->n[2]; k++)
+		for (int j = 0; j < s->grid->n[1]; j++, row++)
+			for (size_t run = cells->row[row]; run < cells->row[row + 1]; run++) {
+				const bool more = run + 1 < cells->row[row + 1];
+				const int first[3] = { cells->begin[run], j, k };
+				const int last[3] = { (more ? cells->begin[run + 1] : s->grid->n[0]) - 1, j,
+						      k };
+
+				s->region_of_run[run] = NO_REGION;
+				if (cells->set[run] != 0)
+					TS_TRY(add_run(s, run, first, last));
+			}
+	return TS_OK;
+}
+
+/* ---- flow from the faces of the grid */
+
+static void add_boundary_face(struct ts_closed_search *s, struct region *region, const int i[3], int d,
+			      int side)
+{
+	double flow = given_normal_velocity(s, i, d, side) * face_area(s->grid, i, d) * (side ? -1 : 1);
+
+	region->net += flow;
+	region->gross += fabs(flow);
+	if (fabs(flow) > region->most) {
+		region->most = fabs(flow);
+		region->face = 2 * d + side;
+	}
+}
+
+static void add_boundary(struct ts_closed_search *s, int d, int side)
+{
+	const struct ts_flow_face_velocity *now = &s->p->velocity_now[d][side];
+	const struct ts_grid *grid = s->grid;
+	const bool varies = given_velocity_varies(s, d, side);
+	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
+
+	if (is_open(s, d, side) || (!varies && !now->plane[d] && now->constant[d] == 0))
+		return;
+	i[d] = side ? grid->n[d] - 1 : 0;
+	for (i[b] = 0; i[b] < grid->n[b]; i[b]++)
+		for (i[a] = 0; i[a] < grid->n[a]; i[a]++) {
+			int32_t region = region_of_cell(s, i);
+
+			if (region == NO_REGION)
+				continue;
+			s->varies |= varies;
+			add_boundary_face(s, &s->region[region], i, d, side);
+		}
+}
+
+static void add_boundaries(struct ts_closed_search *s)
+{
+	for (int d = 0; d < s->grid->dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			if (!s->grid->periodic[d])
+				add_boundary(s, d, side);
+}
+
+/* ---- flow from bodies */
+
+static bool is_single_cell(const struct region *region)
+{
+	return memcmp(region->lo, region->hi, sizeof region->lo) == 0;
+}
+
+/* A cell inside a body is no region. */
+static bool is_inside_body(const struct region *region)
+{
+	return is_single_cell(region) && region->gross == 0;
+}
+
+/* Adds the face at x between a region and a body. */
+static void add_body_face(struct ts_closed_search *s, int32_t beside, const double x[3], uint16_t body)
+{
+	struct region *region;
+
+	if (beside == NO_REGION)
+		return;
+	region = &s->region[beside];
 	region->unknown |= s->body[body - 1].motion == TS_BODY_UNKNOWN;
 	if (!region->body)
 		region->body = body;
@@ -153,167 +266,55 @@ static void add_body_face(struct ts_closed_search *s, struct region *region, con
 		region->place[a] += (x[a] - region->place[a]) / (double)region->ends;
 }
 
-static void add_boundary_face(struct ts_closed_search *s, struct region *region, const int i[3], int d,
-			      int side)
-{
-	double flow = given_normal_velocity(s, i, d, side) * face_area(s->grid, i, d) * (side ? -1 : 1);
-
-	s->varies |= given_velocity_varies(s, d, side);
-	region->net += flow;
-	region->gross += fabs(flow);
-	if (fabs(flow) > region->most) {
-		region->most = fabs(flow);
-		region->face = 2 * d + side;
-	}
-}
-
-/* Labels all cells connected to the cell on the stack, and sums up the flow into them. */
-static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct region *region)
-{
-	while (s->nstack) {
-		size_t at = s->stack[--s->nstack];
-		int i[3];
-
-		ts_grid_indices(s->grid, at, i);
-		for (int d = 0; d < s->grid->dimensions; d++) {
-			region->lo[d] = i[d] < region->lo[d] ? i[d] : region->lo[d];
-			region->hi[d] = i[d] > region->hi[d] ? i[d] : region->hi[d];
-			for (int side = 0; side < 2; side++) {
-				struct link link = neighbour_link(s->grid, at, i, d, side);
-				uint16_t body = s->owner[d][link.face];
-
-				if (!link.boundary && !body)
-					label_cell(s, link.cell, label);
-				if (body)
-					add_body_face(s, region, i, d, side, body);
-				if (link.boundary)
-					add_boundary_face(s, region, i, d, side);
-			}
-		}
-	}
-}
-
-#define EACH_CELL(grid, i)                                  \
-	for (i[2] = 0; i[2] < (grid)->n[2]; i[2]++)         \
-		for (i[1] = 0; i[1] < (grid)->n[1]; i[1]++) \
-			for (i[0] = 0; i[0] < (grid)->n[0]; i[0]++)
-
-/* Labels the cell across a face of a free cell as free, unless a body prescribes the velocity of the face.
- * In most cases the cell across is the neighbour in memory. */
-static inline void label_neighbor(struct ts_closed_search *s, size_t at, int d, int side)
-{
-	const size_t stride = (size_t)s->grid->stride[d];
-	size_t cell = side ? at + stride : at - stride, face = side ? cell : at;
-	struct link link;
-	int i[3];
-
-	if (s->label[cell] == UNLABELLED) {
-		if (!s->owner[d][face])
-			label_cell(s, cell, FREE);
-		return;
-	}
-	if (s->label[cell] != OUTSIDE || !s->grid->periodic[d])
-		return;
-	ts_grid_indices(s->grid, at, i);
-	link = neighbour_link(s->grid, at, i, d, side);
-	if (!s->owner[d][link.face])
-		label_cell(s, link.cell, FREE);
-}
-
-/* Labels all cells connected to an open face. */
-static void fill_from_face(struct ts_closed_search *s, int d, int side)
-{
-	const struct ts_grid *grid = s->grid;
-	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
-
-	i[d] = side ? grid->n[d] - 1 : 0;
-	for (i[b] = 0; i[b] < grid->n[b]; i[b]++)
-		for (i[a] = 0; i[a] < grid->n[a]; i[a]++) {
-			size_t at = ts_at(grid, i[0], i[1], i[2]);
-
-			if (!s->owner[d][side ? at + (size_t)grid->stride[d] : at])
-				label_cell(s, at, FREE);
-		}
-	while (s->nstack) {
-		size_t at = s->stack[--s->nstack];
-
-		for (int e = 0; e < grid->dimensions; e++) {
-			label_neighbor(s, at, e, TS_LOW);
-			label_neighbor(s, at, e, TS_HIGH);
-		}
-	}
-}
-
-static void fill_from_open_faces(struct ts_closed_search *s)
-{
-	for (int d = 0; d < s->grid->dimensions; d++)
-		for (int side = 0; side < 2; side++)
-			if (is_open(s, d, side))
-				fill_from_face(s, d, side);
-}
-
-static enum ts_status fill_closed_regions(struct ts_closed_search *s)
-{
-	int i[3];
-
-	EACH_CELL(s->grid, i)
-	{
-		size_t at = ts_at(s->grid, i[0], i[1], i[2]);
-		struct region region = { .face = -1 };
-		int32_t label = FIRST_REGION + (int32_t)s->nregions;
-
-		if (s->label[at] != UNLABELLED)
-			continue;
-		memcpy(region.lo, i, sizeof region.lo);
-		memcpy(region.hi, i, sizeof region.hi);
-		label_cell(s, at, label);
-		fill_closed_region(s, label, &region);
-		if (memcmp(region.lo, region.hi, sizeof region.lo) == 0 && region.gross == 0) {
-			s->label[at] = FREE; /* a single cell inside a body */
-			continue;
-		}
-		TS_TRY(TS_GROW(s->region, s->region_capacity, s->nregions + 1));
-		s->region[s->nregions++] = region;
-	}
-	return TS_OK;
-}
-
-/* ---- flow from bodies */
-
-static void add_body_flow(struct ts_closed_search *s, int32_t label, double flow)
+static void add_body_flow(struct ts_closed_search *s, int32_t into, double flow)
 {
 	struct region *region;
 
-	if (label < FIRST_REGION)
+	if (into == NO_REGION || is_inside_body(&s->region[into]))
 		return;
-	region = &s->region[label - FIRST_REGION];
+	region = &s->region[into];
 	region->pushed += flow;
 	region->push += fabs(flow);
 }
 
-static void add_body_flows(struct ts_closed_search *s, const struct body *body)
+/* Adds one face that the body covers to the regions on both sides. */
+static void add_covered_face(struct ts_closed_search *s, uint16_t number, int c,
+			     const struct ts_immersed_point *point)
 {
-	const struct ts_immersed *ib = body->ib;
+	const struct ts_grid *grid = s->grid;
+	const bool driven = s->body[number - 1].motion == TS_BODY_DRIVEN;
+	struct sides beside;
+	double x[3], flow;
+	int i[3];
 
-	for (int c = 0; c < s->grid->dimensions; c++)
-		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
-			const struct ts_immersed_point *point = &ib->point[k];
-			struct link link;
-			double flow;
-			int i[3];
+	ts_grid_indices(grid, point->at, i);
+	beside = regions_beside(s, i, c);
+	if (beside.below == NO_REGION && beside.above == NO_REGION)
+		return;
+	for (int a = 0; a < 3; a++)
+		x[a] = a == c ? grid->face[a][i[a]] : grid->centre[a][i[a]];
+	if (s->owner[c][point->at] == number) {
+		add_body_face(s, beside.below, x, number);
+		add_body_face(s, beside.above, x, number);
+	}
+	if (!driven || i[c] >= grid->n[c] || (i[c] == 0 && !grid->periodic[c]) ||
+	    beside.below == beside.above)
+		return;
+	flow = point->target * face_area(grid, i, c);
+	add_body_flow(s, beside.above, flow);
+	add_body_flow(s, beside.below, -flow);
+}
 
-			if (point->outside || point->target == 0)
-				continue;
-			ts_grid_indices(s->grid, point->at, i);
-			if (i[c] >= s->grid->n[c])
-				continue; /* beyond an open face */
-			flow = point->target * face_area(s->grid, i, c);
-			link = neighbour_link(s->grid, point->at, i, c, 0);
-			if (link.boundary || s->label[link.cell] == s->label[point->at])
-				continue;
-			add_body_flow(s, s->label[point->at], flow);
-			add_body_flow(s, s->label[link.cell], -flow);
-		}
+static void add_bodies(struct ts_closed_search *s)
+{
+	for (size_t body = 0; body < s->nbodies; body++) {
+		const struct ts_immersed *ib = s->body[body].ib;
+
+		for (int c = 0; c < s->grid->dimensions; c++)
+			for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++)
+				if (!ib->point[k].outside)
+					add_covered_face(s, (uint16_t)(body + 1), c, &ib->point[k]);
+	}
 }
 
 /* ---- errors */
@@ -443,30 +444,28 @@ static void mark_bodies(struct ts_closed_search *s, struct tsim *sim)
 	}
 }
 
-static enum ts_status allocate_fields(struct ts_closed_search *s)
+static enum ts_status allocate_owners(struct ts_closed_search *s)
 {
 	for (int d = 0; d < s->grid->dimensions; d++)
 		if (!(s->owner[d] = ts_alloc(s->grid->size, sizeof **s->owner)))
 			return TS_NOMEM;
-	s->label = ts_alloc(s->grid->size, sizeof *s->label);
-	s->stack = ts_alloc(ts_grid_cells(s->grid), sizeof *s->stack);
-	return s->label && s->stack ? TS_OK : TS_NOMEM;
+	return TS_OK;
 }
 
-/* Labels ghost cells and padding as outside. */
-static void mark_outside(struct ts_closed_search *s)
+static enum ts_status find_closed_regions(struct ts_closed_search *s)
 {
-	const struct ts_grid *grid = s->grid;
-
-	memset(s->label, 0xff, grid->size * sizeof *s->label); /* OUTSIDE, -1, in all bytes */
-	for (int k = 0; k < grid->n[2]; k++)
-		for (int j = 0; j < grid->n[1]; j++)
-			memset(s->label + ts_at(grid, 0, j, k), 0, (size_t)grid->n[0] * sizeof *s->label);
+	TS_TRY(ts_connected_cells_find(&s->cells, s->grid, s->owner));
+	open_faces(s);
+	ts_connected_cells_complete(&s->cells);
+	TS_TRY(find_regions(s));
+	add_boundaries(s);
+	add_bodies(s);
+	return TS_OK;
 }
 
-static enum ts_status find_closed_regions(struct ts_closed_search *s, struct tsim *sim)
+static enum ts_status check_regions(struct ts_closed_search *s, struct tsim *sim)
 {
-	enum ts_status status = allocate_fields(s);
+	enum ts_status status = allocate_owners(s);
 
 	if (status == TS_OK)
 		mark_bodies(s, sim);
@@ -475,15 +474,11 @@ static enum ts_status find_closed_regions(struct ts_closed_search *s, struct tsi
 	if (s->nbodies == 0)
 		return TS_OK;
 	TS_TRY(check_inlets(s, sim));
-	mark_outside(s);
-	fill_from_open_faces(s);
-	if (fill_closed_regions(s) != TS_OK)
+	if (find_closed_regions(s) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < s->nbodies && s->nregions; k++)
-		if (s->body[k].motion == TS_BODY_DRIVEN)
-			add_body_flows(s, &s->body[k]);
 	for (size_t k = 0; k < s->nregions; k++)
-		TS_TRY(check_region(s, sim, &s->region[k]));
+		if (!is_inside_body(&s->region[k]))
+			TS_TRY(check_region(s, sim, &s->region[k]));
 	return TS_OK;
 }
 
@@ -497,12 +492,12 @@ enum ts_status ts_immersed_check_closed(struct tsim *sim)
 		return TS_OK;
 	s.p = flow->state;
 	s.grid = &s.p->fluid.grid;
-	status = find_closed_regions(&s, sim);
+	status = check_regions(&s, sim);
 	s.p->check_closed = s.varies ? ts_immersed_check_closed : NULL;
 	for (int d = 0; d < 3; d++)
 		ts_free(s.owner[d]);
-	ts_free(s.label);
-	ts_free(s.stack);
+	ts_connected_cells_release(&s.cells);
+	ts_free(s.region_of_run);
 	ts_free(s.body);
 	ts_free(s.region);
 	return status;

@@ -1,9 +1,8 @@
 /* Regions of fluid that bodies separate from all open faces: a net flow into such a closed region cannot
  * leave, and no pressure makes the flow free of divergence.
  *
- * A body prescribes the velocity at all faces of cells inside it. A flood fill from the open faces through
- * all other faces labels the cells connected to an outlet; the remaining connected sets of cells are
- * closed regions. A closed region with a net inflow from faces of the grid, or from bodies of prescribed
+ * A body prescribes the velocity at all faces of cells inside it. Cells connected through all other faces
+ * form sets (connected_cells.h); those without an open face are closed regions. A closed region with a net inflow from faces of the grid, or from bodies of prescribed
  * motion, has no solution and is an error; without net inflow it is legal. */
 #ifndef TS_IMMERSED_CLOSED_REGIONS_H
 #define TS_IMMERSED_CLOSED_REGIONS_H
