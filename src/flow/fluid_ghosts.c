@@ -1,39 +1,114 @@
 /* Values of ghost cells, by the boundary conditions. */
 #include "flow/fluid.h"
 
+#include "base/clones.h"
+#include "base/inline.h"
 #include "base/parallel.h"
 
 #include "base/banned.h"
 
-/* A line of values across a face: inner[0] is the first one inside, inner[step] the next, inner[-step] the
- * first ghost. */
+/* A line of values across a face: inner[0] is the first one inside, or on the face for the component across it,
+ * inner[step] the next, inner[-step] the first ghost. */
 enum rule {
 	RULE_MIRROR, /* tangential component at a wall: the velocity given is that on the face */
 	RULE_EVEN,   /* symmetric about the face */
-	RULE_OUT,    /* zero gradient; 0 with backflow */
-	RULE_ODD     /* value given on the face, which lies midway between two points */
+	RULE_OUT,    /* zero gradient; 0 with backflow. Given: 1 where the fluid leaves, else 0 */
+	RULE_ODD,    /* value given on the face, which lies midway between two points */
+	/* the component across the face: */
+	RULE_SET,   /* given on the face, continued by a straight line */
+	RULE_KEEP,  /* continued by a straight line */
+	RULE_LEAVE, /* as RULE_OUT */
 };
 
-static inline void fill_line(enum rule rule, double *inner, ptrdiff_t step, double given,
-			     const double mirror[3])
+enum { LINES = 64 }; /* at most this number of lines is filled at a time */
+
+TS_INLINE void fill_line(enum rule rule, double *inner, ptrdiff_t step, double given, const double mirror[3])
+{
+	const double first = inner[0], next = inner[step];
+
+	switch (rule) {
+	case RULE_MIRROR:
+		inner[-step] = mirror[0] * given + mirror[1] * first + mirror[2] * next;
+		inner[-2 * step] = 2 * inner[-step] - first;
+		break;
+	case RULE_EVEN:
+		inner[-step] = first;
+		inner[-2 * step] = next;
+		break;
+	case RULE_OUT:
+		inner[-step] = inner[-2 * step] = given * first;
+		break;
+	case RULE_ODD:
+		inner[-step] = 2 * given - first;
+		inner[-2 * step] = 2 * given - next;
+		break;
+	case RULE_SET:
+		inner[0] = given;
+		inner[-step] = 2 * given - next;
+		inner[-2 * step] = 2 * inner[-step] - given;
+		break;
+	case RULE_KEEP:
+		inner[-step] = 2 * first - next;
+		inner[-2 * step] = 2 * inner[-step] - first;
+		break;
+	case RULE_LEAVE:
+		inner[-step] = inner[-2 * step] = given > 0 ? first : 0;
+		break;
+	}
+}
+
+/* Lines beside each other. */
+struct lines {
+	double *inner; /* of the first line */
+	ptrdiff_t step;
+	int n;
+	const double *given, *mirror; /* of each line; weights of RULE_MIRROR */
+};
+
+/* `along`: distance of neighbouring lines. */
+TS_INLINE void fill_lines_by(enum rule rule, const struct lines *lines, ptrdiff_t along)
+{
+	const ptrdiff_t step = lines->step;
+	const double *given = lines->given, *mirror = lines->mirror;
+	double *inner = lines->inner;
+
+#pragma omp simd
+	for (int m = 0; m < lines->n; m++)
+		fill_line(rule, inner + m * along, step, given[m], mirror);
+}
+
+/* One loop for each rule. */
+TS_INLINE void fill_lines(enum rule rule, const struct lines *lines, ptrdiff_t along)
 {
 	switch (rule) {
 	case RULE_MIRROR:
-		inner[-step] = mirror[0] * given + mirror[1] * inner[0] + mirror[2] * inner[step];
-		inner[-2 * step] = 2 * inner[-step] - inner[0];
+		fill_lines_by(RULE_MIRROR, lines, along);
 		break;
 	case RULE_EVEN:
-		inner[-step] = inner[0];
-		inner[-2 * step] = inner[step];
+		fill_lines_by(RULE_EVEN, lines, along);
 		break;
-	case RULE_OUT: /* given: 1 where the fluid leaves */
-		inner[-step] = inner[-2 * step] = given * inner[0];
+	case RULE_OUT:
+		fill_lines_by(RULE_OUT, lines, along);
 		break;
 	case RULE_ODD:
-		inner[-step] = 2 * given - inner[0];
-		inner[-2 * step] = 2 * given - inner[step];
+		fill_lines_by(RULE_ODD, lines, along);
+		break;
+	case RULE_SET:
+		fill_lines_by(RULE_SET, lines, along);
+		break;
+	case RULE_KEEP:
+		fill_lines_by(RULE_KEEP, lines, along);
+		break;
+	case RULE_LEAVE:
+		fill_lines_by(RULE_LEAVE, lines, along);
 		break;
 	}
+}
+
+TS_CLONES
+static void fill_neighbouring_lines(enum rule rule, const struct lines *lines)
+{
+	fill_lines(rule, lines, 1);
 }
 
 /* The plane of lines across axis d: the other two axes and their ranges, ghosts included. */
@@ -97,72 +172,135 @@ static void wrap_periodic(const struct ts_grid *grid, double *field, const struc
 		}
 }
 
-static double given_velocity(const struct ts_flow_face_velocity *given, const struct ts_grid *grid, int d,
-			     int c, int ia, int ib)
+/* ---- lines across a face */
+
+/* What a rule reads of the lines from (ia, ib) on: the values given there, or what decides on an open face. */
+struct source {
+	const struct ts_grid *grid;
+	const double *plane;	/* of values given; NULL: `constant` */
+	double constant[LINES]; /* the same number, or computed by `find` */
+	void (*find)(struct source *source, const struct plane *plane, int ia, int ib, int n);
+	const double *across; /* component across the face, */
+	ptrdiff_t face;	      /* on it, relative to the cells of the lowest layer */
+	int c;		      /* component that is filled */
+	double out;	      /* sign of velocities out of the grid */
+};
+
+static void fill_face(double *field, enum rule rule, const struct plane *plane, ptrdiff_t first,
+		      ptrdiff_t step, const double *mirror, struct source *source)
 {
-	return given->plane[c] ? given->plane[c][ts_flow_plane_at(grid, d, ia, ib)] : given->constant[c];
+	const struct ts_grid *grid = source->grid;
+	const ptrdiff_t along = grid->stride[plane->a];
+
+	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
+		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia += LINES) {
+			const int left = plane->to[plane->a] - ia;
+			struct lines lines = { .inner = field + plane_offset(grid, plane, ia, ib) + first,
+					       .step = step,
+					       .n = left < LINES ? left : LINES,
+					       .given = source->constant,
+					       .mirror = mirror };
+
+			if (source->find)
+				source->find(source, plane, ia, ib, lines.n);
+			else if (source->plane)
+				lines.given = source->plane + ts_flow_plane_at(grid, plane->d, ia, ib);
+			if (along == 1)
+				fill_neighbouring_lines(rule, &lines);
+			else
+				fill_lines(rule, &lines, along);
+		}
+}
+
+static void set_constant(struct source *source, double value)
+{
+	for (int m = 0; m < LINES; m++)
+		source->constant[m] = value;
+}
+
+static void give_velocity(struct source *source, const struct ts_flow_face_velocity *given, int c)
+{
+	source->plane = given->plane[c];
+	set_constant(source, given->constant[c]);
+}
+
+/* Layers of cells or faces beside the face, from inside: distance of neighbours, first cell, face. */
+struct layers {
+	ptrdiff_t step, cell, face;
+};
+
+static struct layers layers_beside(const struct ts_grid *grid, int d, enum ts_grid_side side)
+{
+	const ptrdiff_t s = grid->stride[d];
+
+	return side == TS_LOW ? (struct layers){ s, 0, 0 }
+			      : (struct layers){ -s, (grid->n[d] - 1) * s, grid->n[d] * s };
 }
 
 /* ---- the component across the face */
 
+/* 1 where the fluid leaves through an open face. */
+static void find_leaving(struct source *source, const struct plane *plane, int ia, int ib, int n)
+{
+	const ptrdiff_t along = source->grid->stride[plane->a];
+	const double *u = source->across + plane_offset(source->grid, plane, ia, ib) + source->face;
+
+	for (int m = 0; m < n; m++)
+		source->constant[m] = u[m * along] * source->out > 0;
+}
+
 static void fill_across(const struct ts_fluid *fluid, double *u, const struct plane *plane,
 			enum ts_grid_side side, bool keep)
 {
-	const struct ts_grid *grid = &fluid->grid;
-	int d = plane->d;
-	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
-	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
-	enum ts_flow_face kind = fluid->face[d][side];
-	bool open = ts_flow_face_open(kind);
+	const int d = plane->d;
+	const struct layers at = layers_beside(&fluid->grid, d, side);
+	const enum ts_flow_face kind = fluid->face[d][side];
+	const bool open = ts_flow_face_open(kind);
+	struct source source = { .grid = &fluid->grid, .across = u, .face = at.face };
 
-	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
-		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
-			double *at = u + plane_offset(grid, plane, ia, ib) + face;
-			double out = at[0] * (double)(side == TS_LOW ? -1 : 1);
-
-			if (kind == TS_FLOW_SLIP && !keep)
-				at[0] = 0;
-			else if (!open && !keep)
-				at[0] = given_velocity(&fluid->face_velocity[d][side], grid, d, d, ia, ib);
-			at[-s] = !open ? 2 * at[0] - at[s] : out > 0 || kind == TS_FLOW_INTAKE ? at[0] : 0;
-			at[-2 * s] = !open ? 2 * at[-s] - at[0] : at[-s];
-		}
+	source.out = side == TS_LOW ? -1 : 1;
+	if (kind == TS_FLOW_INTAKE)
+		set_constant(&source, 1);
+	else if (open)
+		source.find = find_leaving;
+	else if (kind != TS_FLOW_SLIP)
+		give_velocity(&source, &fluid->face_velocity[d][side], d);
+	fill_face(u, open ? RULE_LEAVE : keep ? RULE_KEEP : RULE_SET, plane, at.face, at.step, NULL, &source);
 }
 
 /* ---- components along the face */
 
-/* 1 where the fluid leaves through an open face beside a point of component c, else 0. */
-static double flows_out(const struct ts_grid *grid, const double *across, ptrdiff_t at, int c,
-			enum ts_grid_side side)
+/* 1 where the fluid leaves beside a point of the component, else 0. */
+static void find_leaving_beside(struct source *source, const struct plane *plane, int ia, int ib, int n)
 {
-	double u = across[at] + across[at - grid->stride[c]];
+	const struct ts_grid *grid = source->grid;
+	const ptrdiff_t along = grid->stride[plane->a], below = grid->stride[source->c];
+	const double *u = source->across + plane_offset(grid, plane, ia, ib) + source->face;
+	const int lowest = -grid->ghosts[source->c];
 
-	return (side == TS_LOW ? -u : u) > 0;
+	for (int m = 0; m < n; m++) {
+		const bool first = (source->c == plane->a ? ia + m : ib) == lowest; /* there is none below */
+
+		source->constant[m] = !first && (u[m * along] + u[m * along - below]) * source->out > 0;
+	}
 }
 
 static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, const struct plane *plane,
 		       enum ts_grid_side side)
 {
-	const struct ts_grid *grid = &fluid->grid;
-	int d = plane->d;
-	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
-	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
-	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
-	enum ts_flow_face kind = fluid->face[d][side];
-	enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : ts_flow_face_open(kind) ? RULE_OUT : RULE_MIRROR;
+	const int d = plane->d;
+	const struct layers at = layers_beside(&fluid->grid, d, side);
+	const enum ts_flow_face kind = fluid->face[d][side];
+	const bool open = ts_flow_face_open(kind);
+	const enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : open ? RULE_OUT : RULE_MIRROR;
+	struct source source = { .grid = &fluid->grid, .across = u[d], .face = at.face, .c = c };
 
-	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
-		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
-			ptrdiff_t at = plane_offset(grid, plane, ia, ib);
-			bool lowest = (c == plane->a ? ia : ib) == -grid->ghosts[c];
-			double given = 0;
-
-			if (rule == RULE_MIRROR)
-				given = given_velocity(&fluid->face_velocity[d][side], grid, d, c, ia, ib);
-			else if (rule == RULE_OUT && !lowest)
-				given = flows_out(grid, u[d], at + face, c, side);
-			fill_line(rule, u[c] + at + first, s, given, fluid->ghost_weights[d][side]);
-		}
+	source.out = side == TS_LOW ? -1 : 1;
+	if (rule == RULE_OUT)
+		source.find = find_leaving_beside;
+	else if (rule == RULE_MIRROR)
+		give_velocity(&source, &fluid->face_velocity[d][side], c);
+	fill_face(u[c], rule, plane, at.cell, at.step, fluid->ghost_weights[d][side], &source);
 }
 
 struct velocity_task {
@@ -217,24 +355,34 @@ void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
 
 /* ---- centred fields */
 
-/* `given` + `base`: value on the face, for RULE_ODD; NULL: 0. */
-static void fill_centred_side(const struct ts_grid *grid, double *field, const struct plane *plane,
-			      enum ts_grid_side side, enum rule rule,
-			      const struct ts_flow_face_pressure *given, double base)
+/* Values of pressure on the face, relative to `base` where they are given. */
+struct face_pressure {
+	struct source source; /* first */
+	double base;
+};
+
+static void find_face_pressure(struct source *source, const struct plane *plane, int ia, int ib, int n)
 {
-	int d = plane->d;
-	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
-	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
+	const double *given = source->plane + ts_flow_plane_at(source->grid, plane->d, ia, ib);
 
-	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
-		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
-			double value = 0;
+	for (int m = 0; m < n; m++)
+		source->constant[m] = ((const struct face_pressure *)source)->base + given[m];
+}
 
-			if (given)
-				value = base +
-					ts_flow_face_pressure_at(given, ts_flow_plane_at(grid, d, ia, ib));
-			fill_line(rule, field + plane_offset(grid, plane, ia, ib) + first, s, value, NULL);
-		}
+/* `given` + `base`: value on the face, for RULE_ODD; NULL: none, the field is symmetric. */
+static void fill_centred_side(const struct ts_grid *grid, double *field, const struct plane *plane,
+			      enum ts_grid_side side, const struct ts_flow_face_pressure *given, double base)
+{
+	const struct layers at = layers_beside(grid, plane->d, side);
+	struct face_pressure pressure = { { .grid = grid }, base };
+
+	if (given && given->plane) {
+		pressure.source.plane = given->plane;
+		pressure.source.find = find_face_pressure;
+	} else if (given) {
+		set_constant(&pressure.source, base + given->constant);
+	}
+	fill_face(field, given ? RULE_ODD : RULE_EVEN, plane, at.cell, at.step, NULL, &pressure.source);
 }
 
 struct centred_task {
@@ -259,7 +407,6 @@ static void centred_rows(void *context, size_t from, size_t to)
 		bool given = task->is_pressure && ts_flow_face_open(task->fluid->face[task->d][side]);
 
 		fill_centred_side(grid, task->field, &plane, (enum ts_grid_side)side,
-				  given ? RULE_ODD : RULE_EVEN,
 				  given ? &task->fluid->pressure[task->d][side] : NULL, task->base);
 	}
 }
