@@ -767,6 +767,8 @@ library_sources = \
 	src/io/format.h \
 	src/io/h5file.c \
 	src/io/h5file.h \
+	src/io/h5library.c \
+	src/io/h5library.h \
 	src/io/h5md.c \
 	src/io/h5md.h \
 	src/io/h5out.c \

@@ -5,10 +5,11 @@
 #define TS_IO_H5FILE_H
 
 #ifdef TS_WITH_HDF5
-#include <hdf5.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
+
+#include "io/h5library.h"
 
 /* Zero-initialise. */
 struct ts_h5file {

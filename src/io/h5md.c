@@ -1,7 +1,6 @@
 #include "io/h5md.h"
 
 #ifdef TS_WITH_HDF5
-#include <hdf5.h>
 #include <math.h>
 #include <string.h>
 

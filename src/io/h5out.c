@@ -114,6 +114,9 @@ enum ts_status ts_h5out_append(struct tsim *sim, const char *path, const struct 
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "HDF5 files cannot be written with -sandbox: their library opens files "
 			       "itself");
+	if (!ts_h5_loads(f.reason, sizeof f.reason))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "writing '%s': the HDF5 library does not load: %s", path, f.reason);
 	H5Eget_auto2(H5E_DEFAULT, &print, &print_data);
 	H5Eset_auto2(H5E_DEFAULT, NULL, NULL); /* errors are reported here */
 	status = append(&f, fresh, write, data);
