@@ -149,15 +149,13 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	size_t all = sim->particles->n + sim->particles->nghost;
 	struct fill_task task = { list, found };
 
+	if (!sim->run.resuming)
+		ts_force_slots_forget(list);
 	if (sim->legacy)
 		TS_TRY(ts_contact_history_save_all(sim, list, sim->run.resuming, old));
 	else
 		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));
-	/* the results are of the old list; where all were kept they take a fifth of the memory */
-	list->results = TS_RESULTS_NONE;
-	ts_free(list->result);
-	list->result = NULL;
-	list->result_capacity = 0;
+	ts_force_slots_forget(list);
 	TS_TRY(ts_contact_search(sim, found));
 	if (note_particles(sim, list) != TS_OK || reserve_pairs(list, found->n) != TS_OK ||
 	    TS_GROW(list->sphere, list->sphere_capacity, all) != TS_OK ||

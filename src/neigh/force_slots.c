@@ -143,6 +143,14 @@ static void write_slots_share(void *context, size_t from, size_t to)
 
 /* ---- preparation of a force evaluation */
 
+void ts_force_slots_forget(struct ts_contact_list *list)
+{
+	list->results = TS_RESULTS_NONE;
+	ts_free(list->result);
+	list->result = NULL;
+	list->result_capacity = 0;
+}
+
 /* Allocates `room` results, all zero. */
 static enum ts_status clear_results(struct ts_contact_list *list, size_t room)
 {
@@ -172,18 +180,20 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 
 	if (list->results == results && !ts_active_pairs_outdated(list))
 		return TS_OK;
+	if (!kept && list->results == TS_RESULTS_KEPT)
+		ts_force_slots_forget(list);
 	ts_contacts_store_history(sim, list);
 	list->active_chosen = false; /* in case of failure */
 	list->shares = ts_team(sim, list->n);
 	TS_TRY(ts_active_pairs_choose(sim, list));
 	TS_TRY(ts_contacts_load_history(sim, list));
-	if (assign_and_clear(sim, list, kept) != TS_OK)
-		return ts_nomem(&sim->error);
 	/* with all results a step takes the most memory; parted pairs have history only here, see contact_loop.h */
 	if (kept && !sim->legacy && !list->bridge_column) {
 		list->memory_newer = true;
 		ts_contacts_forget_history(list);
 	}
+	if (assign_and_clear(sim, list, kept) != TS_OK)
+		return ts_nomem(&sim->error);
 	list->results = results;
 	list->active_chosen = true;
 	return TS_OK;
