@@ -37,6 +37,7 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	TS_TRY(make_dump_words(sim, arena, s->rest, &words));
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
 	status = ts_dump_modify_words(sim, "write_dump modify", dump, s->modify, arena, where);
+	((struct ts_dump_common *)dump->state)->single = !((struct ts_dump_common *)dump->state)->append;
 	if (status == TS_OK && !sim->reading.explain)
 		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
 	if (status != TS_OK)

@@ -14,7 +14,7 @@ enum { CHUNK = 1 << 16 };
 
 static bool one_file_per_frame(const struct ts_dump_common *d)
 {
-	return strchr(d->file, '*') != NULL;
+	return d->single || strchr(d->file, '*') != NULL;
 }
 
 /* Evaluates the variable of `every v_NAME`: the step of the next frame. */
@@ -62,8 +62,11 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 	ts_series_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
+	if (one_file_per_frame(d))
+		return ts_textfile_open_whole(&d->out, sim, ts_instance_word(self, d->file),
+					      ts_str_text(&d->path));
 	return ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),
-				d->append && !one_file_per_frame(d));
+				d->append);
 }
 
 void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what)
@@ -115,7 +118,7 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bo
 		for (size_t k = 0; k < d->ncolumns; k++) {
 			const struct ts_dump_column *c = &d->column[k];
 
-			add_item(d, c, c->values.data[d->order[row]]);
+			add_item(d, c, ts_dump_value(sim, c, (size_t)d->order[row]));
 			if (trailing || k + 1 < d->ncolumns)
 				ts_str_add_n(&d->text, " ", 1);
 		}
@@ -186,7 +189,7 @@ static enum ts_status write_table(struct ts_dump_common *d, struct tsim *sim)
 		if (d->time)
 			ts_csv_real(&d->text, ts_sim_time(sim));
 		for (size_t k = 0; k < d->ncolumns; k++)
-			add_cell(d, &d->column[k], d->column[k].values.data[d->order[row]]);
+			add_cell(d, &d->column[k], ts_dump_value(sim, &d->column[k], (size_t)d->order[row]));
 		ts_csv_end(&d->text);
 		if (d->text.length > CHUNK)
 			TS_TRY(write_text(d, sim));
@@ -202,7 +205,7 @@ enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool lo
 	TS_TRY(ts_dump_due(self, sim, &due));
 	if (!due)
 		return TS_OK;
-	TS_TRY(ts_dump_gather(self, sim, local));
+	TS_TRY(local ? ts_dump_gather(self, sim, true) : ts_dump_gather_rows(self, sim));
 	is_new = !ts_textfile_is_open(&d->out);
 	TS_TRY(ts_dump_open(self, sim));
 	if (ts_csv_is(d->file)) {

@@ -7,6 +7,7 @@
 #include "core/sim.h"
 #include "io/format.h"
 #include "io/textfile.h"
+#include "particle/quantity.h"
 
 /* One column of a dump of particles or of local rows. */
 struct ts_dump_column {
@@ -16,6 +17,7 @@ struct ts_dump_column {
 	bool element; /* column `element`: name of the type */
 	char format[TS_FORMAT_SIZE];
 	struct ts_table values; /* a row for each particle or local row */
+	ts_quantity_fn *direct; /* evaluated row by row instead; or NULL */
 };
 
 /* First member of the state of every dump. */
@@ -39,6 +41,7 @@ struct ts_dump_common {
 	struct ts_dump_threshold *threshold; /* [nthresholds] conditions; all must hold */
 	size_t nthresholds;
 	bool headless;	 /* `header no`: rows only */
+	bool single;	 /* the only frame of its file, as with `*` in the name */
 	size_t restored; /* number of LAST columns read from a restart file */
 	char **old;	 /* [nold] `maxfiles`: ring buffer of names of the latest files */
 	int64_t nold;
@@ -104,6 +107,9 @@ enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struc
 enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due);
 /* Evaluates all columns, selects and sorts the rows. */
 enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool local);
+/* The same for dumps of particles that need the values only row by row: ts_dump_value. */
+enum ts_status ts_dump_gather_rows(struct ts_instance *self, struct tsim *sim);
+double ts_dump_value(const struct tsim *sim, const struct ts_dump_column *c, size_t i);
 /* Writes the rows, items separated by blanks; `trailing`: with a blank at the end of a line, too. */
 enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing);
 /* Opens the file of this frame if it is not open. */

@@ -320,12 +320,42 @@ static enum ts_status refresh(struct ts_instance *self, struct tsim *sim)
 		       d->refresh);
 }
 
+double ts_dump_value(const struct tsim *sim, const struct ts_dump_column *c, size_t i)
+{
+	return c->direct ? c->direct(sim, i) : c->values.data[i];
+}
+
+/* `by_row`: built-in quantities are evaluated when they are written, except the one by which rows are sorted. */
+static enum ts_status evaluate_columns(struct ts_dump_common *d, struct tsim *sim, bool by_row)
+{
+	size_t sorted = (size_t)(d->sort_by < 0 ? -d->sort_by : d->sort_by);
+
+	for (size_t k = 0; k < d->ncolumns; k++) {
+		struct ts_dump_column *c = &d->column[k];
+
+		c->direct = by_row && k + 1 != sorted && !c->element && !c->index && c->input.quantity
+				    ? ts_particles_quantity_fn(sim, c->input.name)
+				    : NULL;
+		if (!c->direct)
+			TS_TRY(ts_dump_evaluate(c, sim));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_dump_gather_rows(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_dump_common *d = self->state;
+
+	TS_TRY(evaluate_columns(d, sim, true));
+	TS_TRY(select_particles(self, sim));
+	return d->refresh ? refresh(self, sim) : TS_OK;
+}
+
 enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool local)
 {
 	struct ts_dump_common *d = self->state;
 
-	for (size_t k = 0; k < d->ncolumns; k++)
-		TS_TRY(ts_dump_evaluate(&d->column[k], sim));
+	TS_TRY(evaluate_columns(d, sim, false));
 	TS_TRY(local ? select_rows(d, sim) : select_particles(self, sim));
 	TS_TRY(number_rows(d, sim));
 	return d->refresh ? refresh(self, sim) : TS_OK;

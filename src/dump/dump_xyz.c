@@ -35,7 +35,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_dump_due(self, sim, &due));
 	if (!due)
 		return TS_OK;
-	TS_TRY(ts_dump_gather(self, sim, false));
+	TS_TRY(ts_dump_gather_rows(self, sim));
 	TS_TRY(ts_dump_open(self, sim));
 	ts_str_addf(&d->text, "%zu\nAtoms. Timestep: %lld", d->nrows, (long long)sim->clock.step);
 	if (d->time)

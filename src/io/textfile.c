@@ -11,10 +11,11 @@
 
 #include "base/banned.h"
 
-/* Bytes. MOST_HELD: largest text between two flushes that is written in one piece. MEMBER: text after
+/* Bytes. MOST_HELD: largest text between two flushes that is written in one piece; PIECE: of files that are replaced as a
+ * whole. MEMBER: text after
  * which a .gz file begins a new member. LARGEST_PART: what zlib takes in one call. ROOM: output buffer
  * of zlib. */
-enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
+enum { MOST_HELD = 1 << 24, PIECE = 1 << 18, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
 /* For files to be read: names a missing folder. In a sandbox ts_files_why gives the reason. */
 enum ts_status ts_textfile_open_failed(struct ts_error *err, struct ts_files *files,
@@ -51,6 +52,7 @@ static void reset_textfile(struct ts_textfile *file)
 {
 	if (file->gz)
 		deflateEnd(file->gz);
+	ts_replace_abandon(&file->replace);
 	ts_free(file->gz);
 	ts_str_release(&file->held);
 	ts_free(file->path);
@@ -122,6 +124,27 @@ static enum ts_status begin_gz(struct ts_textfile *file)
 	return ts_nomem(file->err);
 }
 
+/* Whether the file is none yet, or one that may be replaced by another. */
+static bool replaceable(struct ts_textfile *file, const char *path)
+{
+	struct stat info;
+
+	if (ts_files_closed(file->files)) /* only known folders can be written to */
+		return ts_files_stat(file->files, path, &info) != 0 || S_ISREG(info.st_mode);
+	if (lstat(path, &info) != 0)
+		return errno == ENOENT;
+	return S_ISREG(info.st_mode) && info.st_nlink == 1 && access(path, W_OK) == 0;
+}
+
+static enum ts_status open_replacing(struct ts_textfile *file, struct tsim *sim, const char *path)
+{
+	TS_TRY(ts_replace_begin(&file->replace, sim, &file->where, path));
+	file->file = file->replace.file;
+	file->whole = -1;
+	setvbuf(file->file, NULL, _IONBF, 0);
+	return TS_OK;
+}
+
 static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *sim, const char *path,
 				  bool append)
 {
@@ -145,8 +168,10 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 	return TS_OK;
 }
 
-enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, const struct ts_place *where,
-				const char *path, bool append)
+enum how { REPLACE, APPEND, WHOLE };
+
+static enum ts_status open_file(struct ts_textfile *file, struct tsim *sim, const struct ts_place *where,
+				const char *path, enum how how)
 {
 	enum ts_status status = TS_OK;
 
@@ -162,14 +187,28 @@ enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, cons
 	if (ts_ends_with(path, ".gz"))
 		status = begin_gz(file);
 	errno = 0;
-	if (status == TS_OK)
-		status = open_stream(file, sim, path, append);
+	if (status == TS_OK && how == WHOLE && !sim->reading.explain && replaceable(file, path))
+		status = open_replacing(file, sim, path);
+	else if (status == TS_OK)
+		status = open_stream(file, sim, path, how == APPEND);
 	if (status != TS_OK) {
-		if (file->file)
+		if (file->file && !file->replace.file)
 			fclose(file->file);
 		reset_textfile(file);
 	}
 	return status;
+}
+
+enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, const struct ts_place *where,
+				const char *path, bool append)
+{
+	return open_file(file, sim, where, path, append ? APPEND : REPLACE);
+}
+
+enum ts_status ts_textfile_open_whole(struct ts_textfile *file, struct tsim *sim,
+				      const struct ts_place *where, const char *path)
+{
+	return open_file(file, sim, where, path, WHOLE);
 }
 
 bool ts_textfile_is_open(const struct ts_textfile *file)
@@ -188,8 +227,13 @@ static enum ts_status undo_failed_write(struct ts_textfile *file)
 		file->whole = -1;
 	ts_str_clear(&file->held);
 	errno = code;
-	return ts_fail(file->err, TS_IO, &file->where, "writing '%s' failed: %s", file->path,
-		       code ? ts_files_why(file->files) : "unknown reason");
+	ts_fail(file->err, TS_IO, &file->where, "writing '%s' failed: %s", file->path,
+		code ? ts_files_why(file->files) : "unknown reason");
+	if (file->replace.file) { /* nothing may take the place of the file any more */
+		ts_replace_abandon(&file->replace);
+		file->file = NULL;
+	}
+	return TS_IO;
 }
 
 static enum ts_status write_held(struct ts_textfile *file)
@@ -235,7 +279,7 @@ enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, si
 			TS_TRY(compress_part(file, bytes, (unsigned)part, Z_NO_FLUSH));
 		else
 			ts_str_add_n(&file->held, bytes, part);
-		if (file->held.length > MOST_HELD)
+		if (file->held.length > (file->replace.file ? PIECE : MOST_HELD))
 			TS_TRY(write_held(file));
 		bytes += part;
 		n -= part;
@@ -290,14 +334,19 @@ enum ts_status ts_textfile_close(struct ts_textfile *file)
 {
 	enum ts_status status = TS_OK;
 
-	if (!file->file)
+	if (!file->file) {
+		reset_textfile(file);
 		return TS_OK;
+	}
 	if (file->gz)
 		status = flush_gz(file, true);
 	if (status == TS_OK)
 		status = write_held(file);
 	errno = 0;
-	if (fclose(file->file) != 0 && status == TS_OK) {
+	if (file->replace.file) {
+		if (status == TS_OK)
+			status = ts_replace_commit(&file->replace, false);
+	} else if (fclose(file->file) != 0 && status == TS_OK) {
 		file->whole = -1;
 		status = undo_failed_write(file);
 	}

@@ -1,6 +1,7 @@
 /* Output streams for text, compressed if the name ends in .gz. The text between two flushes is written in
  * one piece unless it is larger than 16 MiB; if it does not fit on the disk, the file is truncated to its
- * length before: a frame of a dump is complete or missing. A .gz file is flushed in the same way, so that a
+ * length before: a frame of a dump is complete or missing. A file that is opened as a whole appears under its name when it
+ * is closed, and only pieces of it are held. A .gz file is flushed in the same way, so that a
  * file of a killed run can be decompressed up to its last complete frame. All write errors are reported. */
 #ifndef TS_IO_TEXTFILE_H
 #define TS_IO_TEXTFILE_H
@@ -11,6 +12,7 @@
 
 #include "base/status.h"
 #include "core/sim.h"
+#include "io/replace.h"
 
 /* Zero-initialise. */
 struct ts_textfile {
@@ -19,6 +21,7 @@ struct ts_textfile {
 	struct ts_str held; /* bytes of the file that wait for the next flush, compressed in a .gz file */
 	int64_t whole;	    /* length of the file at the last flush in bytes; -1: not known */
 	size_t member;	    /* uncompressed bytes in the current member of a .gz file */
+	struct ts_replace replace; /* of a file that is opened as a whole */
 	char *path;
 	struct ts_error *err;
 	struct ts_files *files;
@@ -29,6 +32,10 @@ struct ts_textfile {
  * discarded. */
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, const struct ts_place *where,
 				const char *path, bool append);
+/* The same for a file that is written once: until it is closed it has another name, so that it is complete or missing
+ * however large it is. What cannot be replaced, such as a device or a symbolic link, is written as by ts_textfile_open. */
+enum ts_status ts_textfile_open_whole(struct ts_textfile *file, struct tsim *sim,
+				      const struct ts_place *where, const char *path);
 bool ts_textfile_is_open(const struct ts_textfile *file);
 enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, size_t n);
 enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, ...)

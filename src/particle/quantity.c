@@ -7,11 +7,9 @@
 
 #include "base/banned.h"
 
-typedef double quantity_fn(const struct tsim *sim, size_t i);
-
 struct quantity {
 	struct ts_quantity text;
-	quantity_fn *value;
+	ts_quantity_fn *value;
 };
 
 #define VECTOR_QUANTITY(name, column)                             \
@@ -251,6 +249,14 @@ const char *ts_particles_quantity_name(size_t k)
 const struct ts_quantity *ts_particles_quantity_text(size_t k)
 {
 	return k < NQUANTITIES ? &quantities[k].text : NULL;
+}
+
+ts_quantity_fn *ts_particles_quantity_fn(const struct tsim *sim, const char *name)
+{
+	const struct quantity *q = find_quantity(name);
+	size_t k;
+
+	return q && !ts_particles_named_column(sim->particles, name, &k) ? q->value : NULL;
 }
 
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out)

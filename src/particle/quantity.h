@@ -7,6 +7,9 @@
 
 /* One value for each local particle. The name is known: ts_particles_has_quantity. */
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out);
+/* The value of a particle, one after the other, without a table of all; NULL: the name is that of a column. */
+typedef double ts_quantity_fn(const struct tsim *sim, size_t i);
+ts_quantity_fn *ts_particles_quantity_fn(const struct tsim *sim, const char *name);
 /* The name is a built-in quantity or a named column. */
 bool ts_particles_has_quantity(const struct tsim *sim, const char *name);
 /* The name is a named column, and not a built-in quantity. */
