@@ -51,6 +51,13 @@ void ts_alloc_tune(void)
 #endif
 }
 
+void ts_alloc_trim(void)
+{
+#ifdef __GLIBC__
+	(void)malloc_trim(0);
+#endif
+}
+
 static bool countable(size_t n, size_t size)
 {
 	return !must_fail() && !(size && n > (SIZE_MAX - CACHE_LINE) / size);
@@ -111,14 +118,18 @@ void ts_free(void *p)
 	free(p);
 }
 
+/* Short arrays are doubled, long ones, of at least PATIENT elements, grow by a half: spare elements are zeroed and so take
+ * memory. It does not depend on the size of elements, since arrays that grow together may have one capacity. */
+enum { PATIENT = 1 << 14 };
+
 enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size)
 {
-	size_t bigger;
+	size_t bigger = *capacity < PATIENT ? *capacity * 2 : *capacity + *capacity / 2;
 	void *p;
 
 	if (need <= *capacity)
 		return TS_OK;
-	bigger = *capacity * 2 > need ? *capacity * 2 : need;
+	bigger = bigger > need ? bigger : need;
 	if (bigger < 8)
 		bigger = 8;
 	p = ts_alloc_aligned(bigger, size);

@@ -44,6 +44,9 @@ void ts_alloc_forget(void *p, size_t bytes);
  * avoids fragmentation. */
 void ts_alloc_tune(void);
 
+/* Gives free memory back to the system, for before large blocks are needed for a short time. */
+void ts_alloc_trim(void);
+
 /* For tests: number of blocks that are allocated; let the k-th allocation from now on fail (0: none). */
 long ts_alloc_balance(void);
 void ts_alloc_fail_at(long k);

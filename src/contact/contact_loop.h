@@ -29,6 +29,8 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_ac
 
 	active[at] = active[block->touching];
 	active[block->touching] = pair;
+	if (list->history_width && block->touching == block->column)
+		ts_contact_memory_extend(list, block);
 	for (size_t c = 0; c < list->history_width; c++)
 		*ts_contact_memory(list, block, block->touching, c) =
 			*ts_contact_history(list, block, block->touching, c);

@@ -158,8 +158,8 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	ts_force_slots_forget(list);
 	TS_TRY(ts_contact_search(sim, found));
 	if (note_particles(sim, list) != TS_OK || reserve_pairs(list, found->n) != TS_OK ||
-	    TS_GROW(list->sphere, list->sphere_capacity, all) != TS_OK ||
-	    TS_GROW(list->motion, list->motion_capacity, all) != TS_OK)
+	    TS_RENEW_UNSET(list->sphere, list->sphere_capacity, all) != TS_OK ||
+	    TS_RENEW_UNSET(list->motion, list->motion_capacity, all) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->n = found->n;
 	list->skin = found->skin;
@@ -168,8 +168,8 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	list->particles = sim->particles->n;
 	list->locals_packed = false;
 	list->displacement = 0;
-	if (list->sphere) /* so that the first displacements are computed from defined numbers */
-		memset(list->sphere, 0, list->sphere_capacity * sizeof *list->sphere);
+	if (all) /* so that the first displacements are computed from defined numbers */
+		memset(list->sphere, 0, all * sizeof *list->sphere);
 	ts_parallel(found->shares, (size_t)found->shares, write_shares, &task);
 	if (found->coincide && !list->both_frozen)
 		TS_TRY(ts_coincide_check_pairs(sim, list));
@@ -222,17 +222,42 @@ enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_l
 	return TS_OK;
 }
 
+/* History and results are not in memory at the same time where all results are kept: ts_contacts_forget_history. */
+static size_t largest_state(const struct ts_contact_list *list)
+{
+	size_t history = list->n * list->history_width * sizeof *list->history,
+	       kept = list->n * (size_t)list->parts * sizeof *list->result;
+
+	return history > kept ? history : kept;
+}
+
 size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 {
-	size_t entry = sizeof *list->gather.entry + sizeof *list->sum;
-	size_t row = sizeof *list->i + sizeof *list->j + sizeof *list->touching + sizeof *list->active +
-		     sizeof *list->slot_of + sizeof *list->sums_left +
-		     list->history_width * sizeof *list->history + 2 * entry;
-	size_t results = list->n * (size_t)list->parts; /* all results are kept at the end of a run */
+	const struct {
+		size_t n, size;
+	} part[] = {
+		{ list->capacity, sizeof *list->i + sizeof *list->j + sizeof *list->touching },
+		{ list->tag_capacity, sizeof *list->tag },
+		{ list->turns_capacity, sizeof *list->turns },
+		{ list->image_capacity, sizeof *list->image },
+		{ list->sphere_capacity, sizeof *list->sphere },
+		{ list->motion_capacity, sizeof *list->motion },
+		{ list->memory_capacity, sizeof *list->memory },
+		{ list->gather.first_capacity, sizeof *list->gather.first },
+		{ list->gather.entry_capacity, sizeof *list->gather.entry },
+		{ list->active_capacity, sizeof *list->active },
+		{ list->block_capacity, sizeof *list->block },
+		{ list->slot_of_capacity, sizeof *list->slot_of },
+		{ list->sums_left_capacity, sizeof *list->sums_left },
+		{ list->sum_capacity, sizeof *list->sum },
+		{ list->sums_capacity, sizeof *list->sums },
+		{ list->chunk_capacity, sizeof *list->chunk + sizeof *list->chunk_summed },
+	};
+	size_t bytes = largest_state(list);
 
-	return list->n * row +
-	       (results > list->result_capacity ? results : list->result_capacity) * sizeof *list->result +
-	       list->memory_capacity * sizeof *list->memory;
+	for (size_t k = 0; k < sizeof part / sizeof *part; k++)
+		bytes += part[k].n * part[k].size;
+	return bytes;
 }
 
 void ts_contact_list_release(struct ts_contact_list *list)
@@ -246,6 +271,7 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->touching);
 	ts_free(list->history);
 	ts_free(list->memory);
+	ts_free(list->spare);
 	ts_free(list->sphere);
 	ts_free(list->motion);
 	ts_free(list->span);

@@ -48,7 +48,8 @@ struct ts_active_block {
 	uint32_t first, n; /* active pairs first .. first+n-1, n <= TS_ACTIVE_BLOCK */
 	uint32_t touching;
 	int32_t type[2]; /* types of i and j */
-	size_t memory;	 /* offset of the history columns of the block in ts_contact_list.memory */
+	uint32_t column; /* length of each of its history columns: see contact_memory.h */
+	double *memory;	 /* its history columns */
 };
 
 /* Active pairs and blocks of one share (one thread's part) of the contact list. TS_BLOCKS_AHEAD empty
@@ -100,6 +101,7 @@ struct ts_contact_list {
 	size_t result_capacity;
 
 	double *memory;	   /* the history of touching active pairs, in columns: see contact_memory.h */
+	double *spare;	   /* room for blocks whose columns have become too short; NULL: none can */
 	bool memory_newer; /* `memory` has been advanced since it was last copied to `history` */
 	size_t history_width;
 	/* 1 + index of the history number that is > 0 while a liquid bridge exists; 0: no bridges */

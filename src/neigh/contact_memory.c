@@ -46,29 +46,103 @@ static void load_block(const struct ts_contact_list *list, const struct ts_activ
 	for (size_t c = 0; c < list->history_width; c++) {
 		for (size_t at = 0; at < block->touching; at++)
 			*ts_contact_memory(list, block, at, c) = *ts_contact_history(list, block, at, c);
-		for (size_t at = block->touching; at < ts_contact_column(block); at++)
+		for (size_t at = block->touching; at < block->column; at++)
 			*ts_contact_memory(list, block, at, c) = 0;
 	}
 }
 
-/* The columns of a block follow those of the block before, aligned to whole vectors. */
-static size_t place_blocks(const struct ts_contact_list *list)
+/* Numbers. LARGE: below it columns have room for all pairs of their blocks. */
+enum { LARGE = 1 << 17 };
+
+static uint32_t whole_vectors(uint32_t n)
 {
-	size_t end = 0;
+	return (n + TS_MEMORY_VECTOR - 1) & ~(uint32_t)(TS_MEMORY_VECTOR - 1);
+}
+
+/* Length of the columns of a block. Within the lifetime of a list of active pairs few contacts begin. */
+static uint32_t choose_column(const struct ts_active_block *block, bool whole)
+{
+	uint32_t all = whole_vectors(block->n),
+		 some = whole_vectors(block->touching + block->touching / 8 + TS_MEMORY_VECTOR);
+
+	return whole || all < some ? all : some;
+}
+
+/* Sets the lengths of the columns; returns the number of all their elements. */
+static size_t size_blocks(const struct ts_contact_list *list, bool whole)
+{
+	size_t n = 0;
+
+	for (int k = 0; k < list->shares; k++)
+		for (size_t b = list->span[k].block; b < list->span[k].block_end; b++) {
+			list->block[b].column = choose_column(&list->block[b], whole);
+			n += list->block[b].column;
+		}
+	return n * list->history_width;
+}
+
+/* The columns of a block follow those of the block before, aligned to whole vectors. */
+static void place_blocks(const struct ts_contact_list *list)
+{
+	double *end = list->memory;
 
 	for (int k = 0; k < list->shares; k++)
 		for (size_t b = list->span[k].block; b < list->span[k].block_end; b++) {
 			list->block[b].memory = end;
-			end += ts_contact_column(&list->block[b]) * list->history_width;
+			end += list->block[b].column * list->history_width;
 		}
-	return end;
+}
+
+/* Where the columns of a block are in `spare`: blocks are in the order of their active pairs, so they are at least as far
+ * apart as their columns, padded, are long. */
+static size_t place_in_spare(const struct ts_contact_list *list, const struct ts_active_block *block)
+{
+	size_t before = block->first + (size_t)(block - list->block) * TS_MEMORY_VECTOR,
+	       misplaced = (uintptr_t)list->spare / sizeof *list->spare % TS_MEMORY_VECTOR;
+
+	return before / TS_MEMORY_VECTOR * TS_MEMORY_VECTOR * list->history_width + TS_MEMORY_VECTOR -
+	       misplaced;
+}
+
+void ts_contact_memory_extend(const struct ts_contact_list *list, struct ts_active_block *block)
+{
+	uint32_t column = whole_vectors(block->n);
+	double *to = list->spare + place_in_spare(list, block);
+
+	for (size_t c = 0; c < list->history_width; c++)
+		for (size_t at = 0; at < column; at++)
+			to[c * column + at] =
+				at < block->touching ? *ts_contact_memory(list, block, at, c) : 0;
+	block->memory = to;
+	block->column = column;
+}
+
+/* Reserves the columns. Those in `spare` are in use only where they are written to. */
+static enum ts_status reserve_columns(struct ts_contact_list *list)
+{
+	size_t n = size_blocks(list, true);
+	bool large = n > LARGE;
+
+	ts_free(list->spare);
+	list->spare = NULL;
+	if (large) {
+		list->spare = ts_alloc((list->n + TS_MEMORY_VECTOR * (list->block_capacity + 3)) *
+					       list->history_width,
+				       sizeof *list->spare);
+		if (!list->spare)
+			return TS_NOMEM;
+		n = size_blocks(list, false);
+	}
+	TS_TRY(TS_RENEW_UNSET(list->memory, list->memory_capacity, n));
+	place_blocks(list);
+	return TS_OK;
 }
 
 enum ts_status ts_contacts_load_history(struct tsim *sim, struct ts_contact_list *list)
 {
 	if (!list->history_width)
 		return TS_OK;
-	if (TS_RENEW_UNSET(list->memory, list->memory_capacity, place_blocks(list)) != TS_OK)
+	if (reserve_columns(list) != TS_OK)
 		return ts_nomem(&sim->error);
 	for_each_block(sim, list, load_block);
 	return TS_OK;

@@ -191,6 +191,7 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 	if (kept && !sim->legacy && !list->bridge_column) {
 		list->memory_newer = true;
 		ts_contacts_forget_history(list);
+		ts_alloc_trim();
 	}
 	if (assign_and_clear(sim, list, kept) != TS_OK)
 		return ts_nomem(&sim->error);

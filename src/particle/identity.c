@@ -63,7 +63,7 @@ static enum ts_status fill_table(struct ts_particles *p)
 {
 	size_t size = (size_t)p->max_tag + 1;
 
-	TS_TRY(TS_GROW(p->row_of_tag, p->row_of_tag_capacity, size));
+	TS_TRY(TS_RENEW_UNSET(p->row_of_tag, p->row_of_tag_capacity, size));
 	memset(p->row_of_tag, 0xff, size * sizeof *p->row_of_tag); /* -1 */
 	for (size_t i = 0; i < p->n; i++)
 		p->row_of_tag[p->tag[i]] = (int32_t)i;
@@ -79,7 +79,7 @@ enum ts_status ts_identities(struct tsim *sim, bool ordered, struct ts_identitie
 	if (table)
 		status = fill_table(p);
 	if (status == TS_OK && (ordered || !table))
-		status = TS_GROW(p->sorted_tags, p->sorted_tags_capacity, 2 * p->n + 1);
+		status = TS_RENEW_UNSET(p->sorted_tags, p->sorted_tags_capacity, 2 * p->n + 1);
 	if (status == TS_OK && !table)
 		status = list_by_sorting(p);
 	else if (status == TS_OK && ordered)
