@@ -1015,6 +1015,8 @@ library_sources = \
 	src/neigh/contact_search.h \
 	src/neigh/force_slots.c \
 	src/neigh/force_slots.h \
+	src/neigh/frame.c \
+	src/neigh/frame.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
 	src/neigh/leaving.c \

@@ -172,6 +172,7 @@ shell_tests = \
 	tests/mesh/mesh_dumps.sh \
 	tests/mesh/mesh_primitive.sh \
 	tests/mesh/mesh_rim.sh \
+	tests/neigh/frame.sh \
 	tests/neigh/identities.sh \
 	tests/neigh/neigh_words.sh \
 	tests/neigh/outflow.sh \

@@ -280,12 +280,14 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 	sim->clock.step++;
 	TS_TRY(run_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
 	sim->run.rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
+	sim->run.relist &= !sim->run.rebuild;
+	sim->run.rebuild |= sim->run.relist;
 	plan->rebuilds += sim->run.rebuild;
 	if (sim->run.rebuild)
 		TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
 		TS_TRY(run_stage(plan, sim, TS_STAGE_FORWARD));
-	sim->run.rebuild = false;
+	sim->run.rebuild = sim->run.relist = false;
 	return run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
 }
 
@@ -293,8 +295,8 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
 	ts_deferred_loops_run(sim);
-	sim->run.inside = sim->run.in_setup = sim->run.resuming = sim->run.rebuild = sim->requests.saving =
-		false;
+	sim->run.inside = sim->run.in_setup = sim->run.resuming = sim->run.rebuild = sim->run.relist =
+		sim->requests.saving = false;
 	return status;
 }
 

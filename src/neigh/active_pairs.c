@@ -13,11 +13,14 @@
 
 /* ---- packed particles, and their displacements */
 
-/* Packs the particles from .. to-1. most: squares of the largest displacements since they were packed last,
- * in x, y and z, length^2; most[3] > 0 if a radius has changed. */
-TS_CLONES static void pack_spheres(const struct ts_particles *p, struct ts_contact_sphere *sphere,
-				   struct ts_contact_motion *motion, size_t from, size_t to, double most[4])
+/* Packs the particles from .. to-1. most: squares of the largest displacements since they were packed last, less the
+ * drift, in x, y and z, length^2; most[3] > 0 if a radius has changed. */
+TS_CLONES static void pack_spheres(const struct ts_particles *p, const struct ts_contact_list *list,
+				   size_t from, size_t to, double most[4])
 {
+	struct ts_contact_sphere *sphere = list->sphere;
+	struct ts_contact_motion *motion = list->motion;
+	const ts_four drift = { list->drift[0], list->drift[1], list->drift[2], 0 };
 	ts_four largest = { 0 };
 
 	for (size_t i = from; i < to; i++) {
@@ -28,7 +31,7 @@ TS_CLONES static void pack_spheres(const struct ts_particles *p, struct ts_conta
 		if (p->omega)
 			omega = TS_FOUR_LOAD(p->omega[i]);
 		omega[3] = p->radius[i];
-		step = now - *(ts_four *)sphere[i].position;
+		step = now - *(ts_four *)sphere[i].position - drift;
 		step *= step;
 		*(ts_four *)sphere[i].position = now;
 		*(ts_four *)motion[i].velocity = velocity;
@@ -49,7 +52,7 @@ static void pack_share(void *context, size_t from, size_t to)
 	const struct packing *g = context;
 	double most[4], displacement, known;
 
-	pack_spheres(g->p, g->list->sphere, g->list->motion, from, to, most);
+	pack_spheres(g->p, g->list, from, to, most);
 	/* after a change of radius there is no bound of the approach of surfaces */
 	displacement = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
 #pragma omp atomic read

@@ -112,8 +112,9 @@ struct ts_contact_list {
 	struct ts_contact_sphere *sphere; /* of all particles, ghosts included, in this step */
 	struct ts_contact_motion *motion;
 	size_t sphere_capacity, motion_capacity;
-	bool locals_packed;  /* `sphere` and `motion` of the local particles is that of this step */
-	double displacement; /* largest displacement of a particle since the last step so far, length */
+	bool locals_packed; /* `sphere` and `motion` of the local particles is that of this step */
+	double displacement; /* largest displacement of a particle since the last step so far, less drift, length */
+	double drift[3]; /* displacement in a step of a frame, of which approaches do not depend, length */
 
 	/* Active pairs, see active_pairs.h */
 	bool active_chosen;	 /* false: they must be chosen before the next forces */

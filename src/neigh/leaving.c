@@ -5,7 +5,6 @@
 
 #include "base/clones.h"
 #include "box/domain.h"
-#include "math/vec3.h"
 #include "neigh/neigh.h"
 #include "particle/columns.h"
 #include "particle/exchange.h"
@@ -64,30 +63,25 @@ void ts_leaving_watch(struct tsim *sim, long *moved)
 	double half = 0.5 * sim->neigh->given_skin;
 	struct watch_task w = { sim->particles, half * half, moved };
 
-	if (ts_leaving_apart(sim) && sim->neigh->built_skin > sim->neigh->given_skin)
+	if (sim->neigh->leaving_watched)
 		TS_DEFER_LOOP(sim, sim->particles->n, count_moved_share, &w);
 }
 
-/* Room that each check takes of the skin, in units of the given skin: more than 1, as a check comes in the
- * step after half of it has been passed; NEXT_CHECK_ROOM, for the decision whether another check fits, is a
- * little less than what was provided. */
-static const double CHECK_ROOM = 1.1, NEXT_CHECK_ROOM = 1.08;
+/* Where walls move, rebuilds are due when they have moved half of the skin in use, too. */
+static const double ROOM = 1.1;
 
 double ts_leaving_skin(double given, double wanted)
 {
-	return CHECK_ROOM * given * ceil(wanted / given);
+	return ROOM * given * ceil(wanted / given);
 }
 
-bool ts_leaving_due(struct tsim *sim)
+bool ts_leaving_search(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	double far2 = 0, skin = sim->neigh->given_skin;
 	bool left = false;
 
-	for (size_t i = 0; i < p->n; i++) {
-		left |= ts_exchange_left(&sim->domain->box, p->x[i]) >= 0;
-		far2 = fmax(far2, ts_distance2(p->x[i], p->xhold[i]));
-	}
+	for (size_t i = 0; i < p->n && !left; i++)
+		left = ts_exchange_left(&sim->domain->box, p->x[i]) >= 0;
 	ts_leaving_hold(sim);
-	return left || 2 * sqrt(far2) + NEXT_CHECK_ROOM * skin > sim->neigh->built_skin;
+	return left;
 }

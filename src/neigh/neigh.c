@@ -99,7 +99,8 @@ static enum ts_status fail_runaway(struct tsim *sim, size_t i, const char *past)
 /* Limits beyond which a rebuild, or an error, is due. */
 struct check_limits {
 	const struct ts_particles *p;
-	double moved2; /* displacement since the last build, length^2 */
+	double moved2;	 /* displacement since the last build, length^2 */
+	double shift[3]; /* of the frame: frame.h */
 	double dt2;
 	double lo[3], hi[3]; /* see ts_exchange_limits */
 	long *beyond;	     /* number of particles beyond a limit */
@@ -146,7 +147,8 @@ static void check_share(void *context, size_t from, size_t to)
 #pragma omp simd reduction(+ : beyond)
 	for (size_t i = from; i < to; i++) {
 		double a = x[3 * i], b = x[3 * i + 1], c = x[3 * i + 2];
-		double da = a - hold[3 * i], db = b - hold[3 * i + 1], dc = c - hold[3 * i + 2];
+		double da = a - hold[3 * i] - l.shift[0], db = b - hold[3 * i + 1] - l.shift[1],
+		       dc = c - hold[3 * i + 2] - l.shift[2];
 		double va = v[3 * i], vb = v[3 * i + 1], vc = v[3 * i + 2];
 		double d2 = da * da + db * db + dc * dc, v2 = va * va + vb * vb + vc * vc;
 		/* written so that NaN is not within */
@@ -164,7 +166,7 @@ static void check_share(void *context, size_t from, size_t to)
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_neigh *nb = self->state;
+	struct ts_neigh *nb = self->state;
 	const struct ts_particles *p = sim->particles;
 	double reach = nb->built_skin - ts_domain_moved(sim->domain); /* < 0: rebuild at once */
 	long beyond = 0, moved = 0;
@@ -173,16 +175,20 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 				       .moved2 = reach < 0 ? -1 : reach * reach / 4,
 				       .dt2 = sim->clock.dt * sim->clock.dt };
 
+	ts_frame_advance(&nb->frame, sim->clock.dt, nb->built_skin);
+	ts_scale(1, nb->frame.shift, limits.shift);
+	ts_scale(sim->clock.dt, nb->mean_velocity, nb->contacts.drift);
 	ts_exchange_limits(sim, limits.lo, limits.hi);
 	sim->run.rebuild |= nb->stale;
 	TS_DEFER_LOOP(sim, p->n, check_share, &limits);
 	ts_contact_list_locate_locals(sim, &sim->neigh->contacts);
 	ts_leaving_watch(sim, &moved);
 	ts_deferred_loops_run(sim);
-	sim->run.rebuild |= moved && ts_leaving_due(sim);
+	sim->run.rebuild |= moved && ts_leaving_search(sim);
 	if (!beyond)
 		return TS_OK;
-	sim->run.rebuild = true;
+	sim->run.relist = nb->leaving_watched;
+	sim->run.rebuild |= !sim->run.relist;
 	return stop_runaways(sim, limits.dt2);
 }
 
@@ -263,10 +269,11 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	nb->given_skin = ts_neigh_skin(sim);
 	/* a continued run keeps the positions and the skin of its last build, and so builds the same list */
 	if (!sim->run.resuming || !(nb->built_skin > 0))
-		nb->built_skin = ts_neigh_choose_skin(sim);
+		ts_neigh_choose_skin(sim);
 	if (!sim->run.resuming) {
 		ts_exchange_hold(sim);
-		ts_leaving_hold(sim);
+		if (!sim->run.relist)
+			ts_leaving_hold(sim);
 	}
 	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + image_reach,
 				   2 * largest + fmax(nb->given_skin, nb->built_skin) + image_reach));
@@ -362,6 +369,24 @@ static enum ts_status archive_skin(struct ts_neigh *nb, struct ts_archive *a)
 	return TS_OK;
 }
 
+/* Missing in older files, whose frame is at rest. */
+static enum ts_status archive_frame(struct ts_neigh *nb, struct ts_archive *a)
+{
+	double frame[6];
+	uint8_t watched = nb->leaving_watched;
+
+	memcpy(frame, &nb->frame, sizeof frame);
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "frame")) {
+		nb->leaving_watched = true;
+		return TS_OK;
+	}
+	TS_TRY(ts_archive_fixed(a, "frame", TS_SAVED_F64, frame, 6));
+	TS_TRY(ts_archive_fixed(a, "leaving_watched", TS_SAVED_U8, &watched, 1));
+	memcpy(&nb->frame, frame, sizeof frame);
+	nb->leaving_watched = watched != 0;
+	return TS_OK;
+}
+
 static bool is_group(int32_t bit)
 {
 	return bit >= 0 && bit < TS_MAX_GROUPS;
@@ -389,6 +414,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	TS_TRY(archive_bonded(nb, a));
 	TS_TRY(archive_include(nb, a));
 	TS_TRY(archive_skin(nb, a));
+	TS_TRY(archive_frame(nb, a));
 	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude, 3 * TS_MAX_EXCLUDE));
 	if (!exclusions_possible(nb))
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");

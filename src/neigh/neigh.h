@@ -6,6 +6,7 @@
 
 #include "neigh/contact_history.h"
 #include "neigh/contact_list.h"
+#include "neigh/frame.h"
 
 enum { TS_MAX_EXCLUDE = 16 };
 
@@ -42,12 +43,15 @@ struct ts_neigh_callbacks {
 };
 
 struct ts_neigh {
-	double skin;	     /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
-	bool fixed_skin;     /* `neighbor ... fixed yes`: the skin is never less either */
-	double built_skin;   /* skin of the present list, length */
-	double given_skin;   /* ts_neigh_skin when the list was built, length */
-	double least_radius; /* smallest radius then, length */
-	int32_t include;     /* bit of the only group with contacts (neigh_modify include); 0: all */
+	double skin;		 /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
+	bool fixed_skin;	 /* `neighbor ... fixed yes`: the skin is never less either */
+	double built_skin;	 /* skin of the present list, length */
+	double given_skin;	 /* ts_neigh_skin when the list was built, length */
+	struct ts_frame frame;	 /* displacements are measured relative to it */
+	double mean_velocity[3]; /* ts_frame_speeds.centre when the list was built */
+	double least_radius;	 /* smallest radius then, length */
+	bool leaving_watched;	 /* see leaving.h */
+	int32_t include;	 /* bit of the only group with contacts (neigh_modify include); 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];
 	bool skip_bonded; /* no contacts between bonded particles (special_bonds) */
@@ -77,9 +81,9 @@ void ts_neigh_radii(const struct ts_particles *p, double *least, double *most);
 /* The largest skin, length: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
-/* The skin for the present speeds and time step, length; larger than ts_neigh_skin only if all faces of the
- * box are fixed. */
-double ts_neigh_choose_skin(const struct tsim *sim);
+/* Sets the skin, and the frame at its start, for the present speeds and time step. The skin is larger than
+ * ts_neigh_skin, and the frame moves, only if all faces of the box are fixed. */
+void ts_neigh_choose_skin(struct tsim *sim);
 /* For the init of outputs and of fixes that may end a run: they read forces of contacts at multiples of
  * `every`. */
 void ts_neigh_keep_forces_every(struct ts_neigh *neigh, int64_t every);

@@ -3,10 +3,10 @@
 
 #include "box/domain.h"
 #include "core/settings.h"
+#include "math/vec3.h"
 #include "mesh/mesh_surface.h"
 #include "neigh/leaving.h"
 #include "neigh/neigh.h"
-#include "particle/prescribed.h"
 
 #include "base/banned.h"
 
@@ -56,31 +56,64 @@ static const double SKIN_LEAST = 0.02;
 /* The skin for fast particles; 0: the usual one is enough. Only if all faces are fixed: at other faces
  * rebuilds have visible effects (particles are wrapped, faces are shrink-wrapped), which should not be rarer
  * than with the given skin. */
-static double skin_of_fast_particles(const struct tsim *sim, double skin, double displacement, double size)
+static double skin_of_fast_particles(const struct tsim *sim, double skin, double displacement, double size,
+				     bool walls_move)
 {
 	double quick =
 		fmin(2 * REBUILD_STEPS * displacement, SKIN_BEST * size * pow(displacement / size, 0.25));
 
 	if (!ts_domain_all_fixed(sim) || quick <= skin)
 		return 0;
-	return sim->particles->lost_policy == TS_LOST_IGNORE ? ts_leaving_skin(skin, quick) : quick;
+	return walls_move && sim->particles->lost_policy == TS_LOST_IGNORE ? ts_leaving_skin(skin, quick)
+									   : quick;
 }
 
-double ts_neigh_choose_skin(const struct tsim *sim)
+/* Whether some effects occur only at rebuilds, as in LIGGGHTS: the end of the history of parted contacts, and the
+ * deletion of particles that have left. */
+static bool rebuilds_are_visible(const struct tsim *sim)
 {
-	const struct ts_particles *p = sim->particles;
-	double skin = ts_neigh_skin(sim), least, most, displacement, small;
-	bool deletes_at_rebuild = p->lost_policy == TS_LOST_IGNORE;
+	return sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_observed ||
+	       (sim->particles->lost_policy == TS_LOST_IGNORE && !ts_leaving_apart(sim)) ||
+	       !sim->particles->n;
+}
 
-	/* some effects occur only at rebuilds, as in LIGGGHTS: the end of the history of parted contacts, and
-	 * the deletion of particles that have left */
-	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_observed ||
-	    (deletes_at_rebuild && !ts_leaving_apart(sim)) || !p->n)
-		return skin;
-	ts_neigh_radii(p, &least, &most);
-	displacement = ts_prescribed_max_speed(sim, 0) * sim->clock.dt;
+/* The smallest skin, length, that is enough for the displacement per step of the fastest particle. */
+static double choose_skin(const struct tsim *sim, double displacement, bool walls_move)
+{
+	double skin = ts_neigh_skin(sim), least, most, small;
+
+	ts_neigh_radii(sim->particles, &least, &most);
 	small = sqrt(SKIN_MEMORY * displacement * 2 * least);
-	small = deletes_at_rebuild || boundaries_move(sim) ? skin
-							   : fmin(skin, fmax(small, SKIN_LEAST * least));
-	return fmax(small, skin_of_fast_particles(sim, skin, displacement, 2 * least));
+	small = sim->particles->lost_policy == TS_LOST_IGNORE || walls_move
+			? skin
+			: fmin(skin, fmax(small, SKIN_LEAST * least));
+	return fmax(small, skin_of_fast_particles(sim, skin, displacement, 2 * least, walls_move));
+}
+
+/* A frame that moves needs a watch (leaving.h), which costs as much as a rebuild in about this number of steps. */
+enum { WATCH_STEPS = 100 };
+
+void ts_neigh_choose_skin(struct tsim *sim)
+{
+	struct ts_neigh *nb = sim->neigh;
+	struct ts_frame_speeds speeds;
+	bool walls_move, watched = sim->run.relist && nb->leaving_watched;
+	double dt = sim->clock.dt;
+
+	nb->frame = (struct ts_frame){ .shift = { 0 } };
+	nb->built_skin = ts_neigh_skin(sim);
+	nb->leaving_watched = false;
+	ts_frame_speeds(sim, &speeds);
+	ts_scale(1, speeds.centre, nb->mean_velocity);
+	if (rebuilds_are_visible(sim))
+		return;
+	walls_move = boundaries_move(sim);
+	if (!walls_move && ts_domain_all_fixed(sim) && ts_frame_pays(&speeds) &&
+	    2 * WATCH_STEPS * speeds.most * dt > nb->built_skin)
+		ts_scale(1, speeds.centre, nb->frame.velocity);
+	nb->built_skin =
+		choose_skin(sim, dt * (ts_norm(nb->frame.velocity) > 0 ? speeds.most_relative : speeds.most),
+			    walls_move);
+	nb->leaving_watched = ts_leaving_apart(sim) &&
+			      (watched || ts_norm(nb->frame.velocity) > 0 || nb->built_skin > nb->given_skin);
 }

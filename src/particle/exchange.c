@@ -194,7 +194,8 @@ enum ts_status ts_exchange_migrate(struct tsim *sim)
 	ts_domain_reduce_shear(sim->domain);
 	for (int dim = 2; dim >= 0; dim--) /* of a sheared box `gradient` before `flow` */
 		TS_TRY(wrap_periodic(sim, dim));
-	TS_TRY(drop_lost(sim));
+	if (!sim->run.relist)
+		TS_TRY(drop_lost(sim));
 	fit_all_faces(sim);
 	return TS_OK;
 }

@@ -8,7 +8,7 @@
 #include "geom/box.h"
 
 /* Wraps positions into the periodic box, deletes particles outside of fixed faces (enum ts_lost says whether
- * with a warning or an error), fits shrink-wrapped faces, and drops the ghosts. */
+ * with a warning or an error; none while sim->run.relist), fits shrink-wrapped faces, and drops the ghosts. */
 enum ts_status ts_exchange_migrate(struct tsim *sim);
 
 /* Stores the present positions (xhold) and box as those from which the contact list is built. */

@@ -7,6 +7,7 @@
 #include "box/domain.h"
 #include "mesh/mesh_distance.h"
 #include "neigh/coincide.h"
+#include "neigh/frame.h"
 
 #include "base/banned.h"
 
@@ -340,14 +341,14 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim)
 	return ts_wall_relist(self, sim, TS_MESH_MEMORY, add_pairs);
 }
 
-/* Particles are listed within the skin; particles and mesh may each move by half of it. */
+/* Particles are listed within the skin; they may move by half of it relative to the frame. */
 bool ts_mesh_wall_has_moved(const struct ts_wall *w, const struct tsim *sim)
 {
 	const struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
 	bool far = false;
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
-		far |= mw->mesh[k].surface->travelled > 0.5 * sim->neigh->built_skin;
+		far |= mw->mesh[k].surface->travelled > ts_frame_room_of_walls(sim);
 	return far;
 }
 

@@ -7,6 +7,7 @@
 #include "core/sim.h"
 #include "math/constants.h"
 #include "neigh/coincide.h"
+#include "neigh/frame.h"
 #include "wall/exact_surface.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
@@ -271,13 +272,14 @@ static double surface_curvature(const struct ts_primitive_wall *w, const double 
 
 /* ---- stages ---- */
 
-/* The list of contacts is valid while particles and wall each have moved less than half the skin. */
+/* The list of contacts is valid while the particles have moved less than half the skin relative to the frame, and the
+ * wall less than what the frame leaves of the other half. */
 static bool has_moved(const struct ts_wall *wall, const struct tsim *sim)
 {
 	const struct ts_primitive_wall *w = wall->geometry;
 
 	return ts_primitive_wall_moves(w) &&
-	       !(fabs(displacement(w, sim) - w->built_displacement) < 0.5 * sim->neigh->built_skin);
+	       !(fabs(displacement(w, sim) - w->built_displacement) < ts_frame_room_of_walls(sim));
 }
 
 /* Distance of x from the primitive; the frequent case of a plane is computed without its normal. */

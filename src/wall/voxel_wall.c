@@ -8,6 +8,7 @@
 #include "box/domain.h"
 #include "math/vec3.h"
 #include "neigh/coincide.h"
+#include "neigh/frame.h"
 
 #include "base/banned.h"
 
@@ -219,10 +220,10 @@ enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim)
 
 /* ---- motion of the surface */
 
-/* Particles are listed within the skin; particles and surface may each move by half of it. */
+/* Particles are listed within the skin; they may move by half of it relative to the frame. */
 bool ts_voxel_wall_has_moved(const struct ts_wall *w, const struct tsim *sim)
 {
-	return ts_voxel_wall_of(w)->surface->travelled > 0.5 * sim->neigh->built_skin;
+	return ts_voxel_wall_of(w)->surface->travelled > ts_frame_room_of_walls(sim);
 }
 
 enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct tsim *sim)

@@ -1,0 +1,116 @@
+#include "neigh/frame.h"
+
+#include <math.h>
+
+#include "base/clones.h"
+#include "base/parallel.h"
+#include "math/vec3.h"
+#include "neigh/neigh.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct speeds_task {
+	const struct ts_particles *p;
+	double lo[3], hi[3]; /* of the velocities */
+	const double *centre;
+	double most2, most_relative2;
+};
+
+TS_CLONES static void bound_velocities(const struct ts_particles *p, size_t from, size_t to, double lo[3],
+				       double hi[3])
+{
+	for (int d = 0; d < 3; d++) {
+		lo[d] = INFINITY;
+		hi[d] = -INFINITY;
+	}
+	for (size_t i = from; i < to; i++)
+		for (int d = 0; d < 3; d++) {
+			lo[d] = p->v[i][d] < lo[d] ? p->v[i][d] : lo[d];
+			hi[d] = p->v[i][d] > hi[d] ? p->v[i][d] : hi[d];
+		}
+}
+
+static void bound_share(void *context, size_t from, size_t to)
+{
+	struct speeds_task *t = context;
+	double lo[3], hi[3];
+
+	bound_velocities(t->p, from, to, lo, hi);
+#pragma omp critical(ts_frame)
+	for (int d = 0; d < 3; d++) {
+		t->lo[d] = fmin(t->lo[d], lo[d]);
+		t->hi[d] = fmax(t->hi[d], hi[d]);
+	}
+}
+
+TS_CLONES static void largest_speeds(const struct ts_particles *p, const double centre[3], size_t from,
+				     size_t to, double most[2])
+{
+	double most2 = 0, relative2 = 0;
+
+	for (size_t i = from; i < to; i++) {
+		const double *v = p->v[i];
+		double a = v[0] - centre[0], b = v[1] - centre[1], c = v[2] - centre[2];
+		double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2], r2 = a * a + b * b + c * c;
+
+		most2 = v2 > most2 ? v2 : most2;
+		relative2 = r2 > relative2 ? r2 : relative2;
+	}
+	most[0] = most2;
+	most[1] = relative2;
+}
+
+static void speeds_share(void *context, size_t from, size_t to)
+{
+	struct speeds_task *t = context;
+	double most[2];
+
+	largest_speeds(t->p, t->centre, from, to, most);
+#pragma omp critical(ts_frame)
+	{
+		t->most2 = fmax(t->most2, most[0]);
+		t->most_relative2 = fmax(t->most_relative2, most[1]);
+	}
+}
+
+void ts_frame_speeds(const struct tsim *sim, struct ts_frame_speeds *out)
+{
+	const struct ts_particles *p = sim->particles;
+	struct speeds_task t = { .p = p,
+				 .lo = { INFINITY, INFINITY, INFINITY },
+				 .hi = { -INFINITY, -INFINITY, -INFINITY },
+				 .centre = out->centre };
+	int team = ts_team(sim, p->n);
+
+	*out = (struct ts_frame_speeds){ .most = 0 };
+	ts_parallel(team, p->n, bound_share, &t);
+	for (int d = 0; d < 3; d++) /* not so if there are no particles, or speeds overflow */
+		out->centre[d] = isfinite(t.lo[d] + t.hi[d]) ? 0.5 * (t.lo[d] + t.hi[d]) : 0;
+	ts_parallel(team, p->n, speeds_share, &t);
+	out->most = sqrt(t.most2);
+	out->most_relative = sqrt(t.most_relative2);
+}
+
+/* At most this part of the speed remains. */
+static const double PAYS_BELOW = 0.75;
+
+bool ts_frame_pays(const struct ts_frame_speeds *speeds)
+{
+	return speeds->most_relative < PAYS_BELOW * speeds->most;
+}
+
+void ts_frame_advance(struct ts_frame *frame, double dt, double skin)
+{
+	double next[3];
+
+	for (int d = 0; d < 3; d++)
+		next[d] = frame->shift[d] + dt * frame->velocity[d];
+	if (ts_dot(next, next) <= 0.25 * skin * skin)
+		ts_scale(1, next, frame->shift);
+}
+
+double ts_frame_room_of_walls(const struct tsim *sim)
+{
+	return 0.5 * sim->neigh->built_skin - ts_norm(sim->neigh->frame.shift);
+}
