@@ -891,6 +891,10 @@ library_sources = \
 	src/manual/grammar.h \
 	src/manual/help.c \
 	src/manual/help.h \
+	src/manual/help_arguments.c \
+	src/manual/help_arguments.h \
+	src/manual/help_text.c \
+	src/manual/help_text.h \
 	src/manual/manual.c \
 	src/manual/manual.h \
 	src/manual/manual_search.c \

@@ -165,6 +165,7 @@ shell_tests = \
 	tests/load/wear.sh \
 	tests/manual/grammar.sh \
 	tests/manual/manual_current.sh \
+	tests/manual/page_order.sh \
 	tests/material/materials.sh \
 	tests/mesh/cell_regions.sh \
 	tests/mesh/free_mesh.sh \

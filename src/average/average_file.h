@@ -46,4 +46,10 @@ enum ts_status ts_average_file_names_done(struct tsim *sim, struct ts_average_fi
 enum ts_status ts_average_file_end(struct tsim *sim, struct ts_average_file *f);
 void ts_average_file_release(struct ts_average_file *f);
 
+/* Order of TS_AVERAGE_FILE_ARGS in the manual pages, but for `file`, which is needed. */
+#define TS_AVERAGE_FILE_GROUP                                              \
+	{                                                                  \
+		"The file", "append overwrite format title1 title2 title3" \
+	}
+
 #endif

@@ -51,6 +51,13 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "Nevery Nrepeat Nfreq chunkID values norm ave file" },
+	{ "Times and degrees of freedom", "start adof cdof" },
+	TS_AVERAGE_FILE_GROUP,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
 const struct ts_style ts_fix_ave_chunk = {
 	.name = "ave/chunk",
@@ -75,6 +82,7 @@ const struct ts_style ts_fix_ave_chunk = {
 	.example = "compute layers all chunk/atom bin/1d z lower 0.01 units box\n"
 		   "fix profile all ave/chunk 10 10 1000 layers vx density/mass temp file post/profile.txt",
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = ts_chunk_average_archive,

@@ -19,6 +19,13 @@ static const struct ts_arg args[] = {
 static const struct ts_saved saved[] = { TS_AVERAGE_SAVED(struct state, histogram.average),
 					 TS_SAVED_ROWS_END };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "Nevery Nrepeat Nfreq lo hi Nbin values mode ave file" },
+	{ "What is counted", "kind beyond start" },
+	{ "The file", "append overwrite format title1 title2 title3" },
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_ave_histo)
 const struct ts_style ts_fix_ave_histo = {
 	.name = "ave/histo",
@@ -37,6 +44,7 @@ const struct ts_style ts_fix_ave_histo = {
 	       "files.",
 	.example = "fix speeds all ave/histo 10 100 1000 0 2.5 50 v_speed file post/speeds.txt",
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = ts_histogram_archive,

@@ -25,6 +25,13 @@ static const struct ts_arg args[] = {
 static const struct ts_saved saved[] = { TS_AVERAGE_SAVED(struct state, histogram.average),
 					 TS_SAVED_ROWS_END };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "Nevery Nrepeat Nfreq lo hi Nbin values mode ave file" },
+	{ "What is counted", "kind beyond start" },
+	{ "The file", "append overwrite format title1 title2 title3" },
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
 const struct ts_style ts_fix_ave_histo_weight = {
 	.name = "ave/histo/weight",
@@ -34,6 +41,7 @@ const struct ts_style ts_fix_ave_histo_weight = {
 	       "value, its weight, to the count of its bin instead of 1.",
 	.example = "fix heights all ave/histo/weight 10 100 1000 0 0.1 20 z mass file post/heights.txt",
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = ts_histogram_archive,

@@ -88,6 +88,14 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "Nevery Nrepeat Nfreq bins norm ave file" },
+	{ "The bins", "region discard bound units" },
+	{ "Times and degrees of freedom", "start adof cdof" },
+	TS_AVERAGE_FILE_GROUP,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
 const struct ts_style ts_fix_ave_spatial = {
 	.name = "ave/spatial",
@@ -101,6 +109,7 @@ const struct ts_style ts_fix_ave_spatial = {
 	.example = "fix profile all ave/spatial 10 10 1000 z lower 0.01 vx density/mass units box file "
 		   "post/p.txt",
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = ts_chunk_average_archive,

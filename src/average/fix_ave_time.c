@@ -328,6 +328,13 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "Nevery Nrepeat Nfreq values mode ave file" },
+	{ "What is averaged", "start off" },
+	TS_AVERAGE_FILE_GROUP,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 const struct ts_style ts_fix_ave_time = {
 	.name = "ave/time",
@@ -341,6 +348,7 @@ const struct ts_style ts_fix_ave_time = {
 	       "files.",
 	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = archive,

@@ -73,6 +73,24 @@ extern const char *const ts_normal_names[],
 			.help = "sub-step contact detection: begin and end of contacts within a step are "   \
 				"resolved")
 
+/* The same in the order of the manual pages. */
+#define TS_GRANULAR_GROUPS                                                                         \
+	{ NULL, "model tangential rolling_friction cohesion" },                                    \
+		{ "Details of the contact law",                                                    \
+		  "surface limitForce tangential_damping absolute_damping ktToKnUser viscous "     \
+		  "tangential_reduce torsionTorque located" },                                     \
+		{ "Liquid bridges (cohesion washino/capillary/viscous)",                           \
+		  "modifyLbVolume limitLiquidContent" },                                           \
+		{ "Bonds (cohesion bond)",                                                         \
+		  "stressBreak createBondAlways tensionStress compressionStress shearStress "      \
+		  "normalTorqueStress shearTorqueStress dampingBond ratioTensionCompression "      \
+		  "temperatureBreak dampingBondSmooth dissipationBond druckerPrager" },            \
+	{                                                                                          \
+		"Accepted for compatibility, without effect",                                      \
+			"heating_normal_hertz heating_tangential_history computeElasticPotential " \
+			"computeDissipatedEnergy disableNormalWhenBonded"                          \
+	}
+
 /* Checks the order of the words, and that keywords fit the models. `who` for messages: "pair gran". */
 enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self, const char *who,
 				       const struct ts_granular_words *words);

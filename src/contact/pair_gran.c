@@ -204,11 +204,21 @@ static const char usage[] =
 
 static const char *const doc_more[] = { other_laws, usage, NULL };
 
+static const struct ts_arg_group groups[] = {
+	TS_GRANULAR_GROUPS,
+	{ "Tests of the program", "generic" },
+	{ .words = NULL },
+};
+
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 const struct ts_pair_style ts_pair_gran = {
 	.style = { .name = "gran",
 		   .kind = TS_KIND_PAIR,
 		   .summary = "contact laws of granular materials",
+		   .purpose =
+			   "The contact law of most simulations of grains: stiffness and damping from the "
+			   "properties of materials, friction, rolling resistance, cohesion. The properties "
+			   "come from fix property/global or from `material`; `pair_coeff * *` follows.",
 		   .doc = normal_laws,
 		   .doc_more = doc_more,
 		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, T. Tanaka, "
@@ -222,6 +232,7 @@ const struct ts_pair_style ts_pair_gran = {
 		   .example = "pair_style gran model hertz tangential history\n"
 			      "pair_coeff * *",
 		   .args = args,
+		   .groups = groups,
 		   .coeff = coeff,
 		   .state_size = sizeof(struct gran),
 		   .archive = archive,

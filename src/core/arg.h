@@ -98,6 +98,12 @@ struct ts_mode {
 	const struct ts_arg *args;
 };
 
+/* Arguments of a style that its manual page shows together; closed by .words NULL. */
+struct ts_arg_group {
+	const char *title; /* NULL: the words that everybody needs, which the page begins with */
+	const char *words; /* names of rows, separated by blanks */
+};
+
 /* offsetof that does not compile if the type of the field is not that of the row. */
 #define TS_FIELD(T, field, type)                                                                        \
 	(offsetof(T, field) + 0 * sizeof(struct {                                                       \

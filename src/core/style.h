@@ -98,7 +98,9 @@ struct ts_style {
 	const char *name;
 	enum ts_kind kind;
 	const char *summary; /* one line, no full stop */
-	const char *doc;     /* paragraphs for the manual page: what it does, equations */
+	const char
+		*purpose; /* what it is used for, and what else a script needs; NULL: the summary says it */
+	const char *doc;  /* paragraphs for the manual page: what it does, equations */
 	/* further paragraphs, NULL-terminated: a string literal has at most 4095 characters (C11 5.2.4.1) */
 	const char *const *doc_more;
 	const char *example; /* script lines */
@@ -107,6 +109,9 @@ struct ts_style {
 	 * live styles of one sort, see ts_sim_next_of. NULL: none. */
 	const char *family;
 	const struct ts_arg *args;
+	/* The order of the arguments in the manual page. NULL: all together or, if there are many, those that
+	 * the example has first. */
+	const struct ts_arg_group *groups;
 	size_t state_size;	      /* bytes */
 	const struct ts_arg *coeff;   /* pair and bond: arguments of a line of coefficients; core/coeff.h */
 	const struct ts_saved *saved; /* fields of the state for restart files; see core/archive.h */

@@ -24,12 +24,25 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "id every first append pad sort format thresh region" },
+	{ "Frames and files", "delay maxfiles refresh binary" },
+	{ "Text of frames", "header label time units element scale image" },
+	{ "Pictures: particles and bonds", "acolor adiam amap atrans bcolor bdiam bmap" },
+	{ "Pictures: surfaces, slices, contacts", "smap gmap cmap" },
+	{ "Pictures: background, box, colours, light", "backcolor backcolor2 boxcolor color lights" },
+	{ "Movies", "framerate bitrate" },
+	{ "Accepted for compatibility, without effect", "buffer compressor flush pbc fileper nfile" },
+	{ .words = NULL },
+};
+
 TS_STYLE(command, ts_command_style, ts_command_dump_modify)
 const struct ts_command_style ts_command_dump_modify = {
 	.style = {
 		.name = "dump_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Changes the settings of a dump",
+		.purpose = "Which frames a dump writes, their format, and the colours of pictures.",
 		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int %d. The "
 		       "format of a column takes precedence over those of float and int, and these over the "
 		       "format of the line. thresh, region and sorting by columns apply to dumps of "
@@ -37,6 +50,7 @@ const struct ts_command_style ts_command_dump_modify = {
 		.example = "dump_modify rock pad 8 format float %.15g format 1 %08d\n"
 			   "dump_modify fast thresh vz < -0.5 thresh c_load >= 2.385 region shaft sort -4",
 		.args = args,
+		.groups = groups,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

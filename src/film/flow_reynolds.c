@@ -574,11 +574,25 @@ static const char *const doc_more[] = {
 	NULL,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "cells lower upper viscosity density lower_velocity upper_velocity cavitation" },
+	{ "Surfaces", "lower_voxel upper_voxel upper_wafer set lower_stays upper_stays lower_slip upper_slip "
+		      "gap update least_gap touching" },
+	{ "Rough surfaces", "roughness asperities" },
+	{ "The fluid", "barus roelands" },
+	{ "Pressure at the edges",
+	  "ambient pressure_xlo pressure_xhi pressure_ylo pressure_yhi floating closed open" },
+	{ "Cavitation", "cavity_pressure transient" },
+	{ .words = NULL },
+};
+
 TS_STYLE(flow, ts_flow_style, ts_flow_reynolds)
 const struct ts_flow_style ts_flow_reynolds = {
 	.style = { .name = "reynolds",
 		   .kind = TS_KIND_FLOW,
 		   .summary = "A thin film between two surfaces, by the Reynolds equation of lubrication",
+		   .purpose = "A lubrication film between two surfaces: bearings, sliding pads, polishing. "
+			      "It replaces the fluid of flow_style projection where the gap is thin.",
 		   .doc = doc,
 		   .doc_more = doc_more,
 		   .example = "variable cx internal 0\nvariable wedge equal 2e-6-1e-6*v_cx/1e-3\n"
@@ -588,6 +602,7 @@ const struct ts_flow_style ts_flow_reynolds = {
 			   "and B. O. Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed. (2004), "
 			   "chapter 7",
 		   .args = args,
+		   .groups = groups,
 		   .family = TS_FAMILY_FILM,
 		   .state_size = sizeof(struct ts_reynolds),
 		   .saved = saved,

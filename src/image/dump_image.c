@@ -89,6 +89,9 @@ const struct ts_style ts_dump_image = {
 	.name = "image",
 	.kind = TS_KIND_DUMP,
 	.summary = "Writes pictures of particles, bonds and surfaces",
+	.purpose = "Pictures of the simulation without another program: grains, bonds, meshes, walls, slices "
+		   "of the fluid. `write_dump all image FILE ...` writes a single one; the colours are set "
+		   "by dump_modify.",
 	.doc = "Draws the particles of the group as spheres and writes a picture for each frame. The words "
 	       "are those of dump image of LAMMPS and LIGGGHTS; doc/pictures.md shows examples. A file that "
 	       "ends in .png is compressed without loss; one that ends in .ppm is not compressed.",
@@ -96,6 +99,7 @@ const struct ts_style ts_dump_image = {
 	.example = "dump view all image 1000 post/view*.png vx diameter size 1280 720 zoom 1.6 fsaa yes\n"
 		   "dump_modify view pad 8 amap -1 1 cf 0 3 min blue 0.5 white max red backcolor white",
 	.args = ts_image_args,
+	.groups = ts_image_groups,
 	.state_size = sizeof(struct ts_image),
 	.saved = ts_image_saved,
 	.archive = ts_dump_archive,

@@ -107,6 +107,7 @@ const struct ts_style ts_dump_movie = {
 	.name = "movie",
 	.kind = TS_KIND_DUMP,
 	.summary = "Makes a movie of the pictures of dump image",
+	.purpose = "A movie of the run, made by the program ffmpeg; the words are those of dump image.",
 	.doc = "Draws what dump image draws and gives the pictures to the program ffmpeg, which must be on "
 	       "the PATH. The movie is complete after `undump` or at the end of the script; after a restart "
 	       "the frames that follow are in a file with the step in its name, film.12000.mp4 for film.mp4. "
@@ -115,6 +116,7 @@ const struct ts_style ts_dump_movie = {
 	.example = "dump film all movie 500 post/film.mp4 vx diameter size 1280 720 fsaa yes\n"
 		   "dump_modify film framerate 30 backcolor white",
 	.args = ts_image_args,
+	.groups = ts_image_groups,
 	.state_size = sizeof(struct state),
 	.saved = ts_image_saved,
 	.archive = ts_dump_archive,

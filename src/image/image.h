@@ -137,6 +137,7 @@ struct ts_image {
 /* ---- image_args.c: tables of both styles */
 
 extern const struct ts_arg ts_image_args[];
+extern const struct ts_arg_group ts_image_groups[];
 extern const struct ts_saved ts_image_saved[];
 extern const char *const ts_image_text[];
 

@@ -129,3 +129,13 @@ const char *const ts_image_text[] = {
 	"warning.",
 	NULL,
 };
+
+const struct ts_arg_group ts_image_groups[] = {
+	{ NULL, "every file color diameter size view center zoom" },
+	{ "What is drawn",
+	  "atom adiam bond mesh voxel wall region contact arrow film slice clip box axes subbox" },
+	{ "Camera", "up persp" },
+	{ "Light and edges", "shiny depthcue fsaa ssao" },
+	{ "Legend", "legend" },
+	{ .words = NULL },
+};

@@ -85,11 +85,20 @@ static const struct ts_arg args[] = {
 
 static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state), TS_SAVED_ROWS_END };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "insert_every particles_in_region volumefraction_region mass_in_region" },
+	TS_INSERTION_REGION_GROUPS,
+	TS_INSERTION_GROUPS,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 const struct ts_style ts_fix_insert_pack = {
 	.name = "insert/pack",
 	.kind = TS_KIND_FIX,
 	.summary = "Fills a region with particles",
+	.purpose = "Fills a bin, a drum or a box with grains that do not overlap: once, or again and again. "
+		   "It needs a region, and a fix particledistribution/discrete with templates of particles.",
 	.doc = "In the step after the definition, or in the step start, and then every insert_every steps, "
 	       "particles are inserted until the region contains a given number, mass or volume fraction of "
 	       "particles. Particles whose centers are in the region count. Numbers computed from a mass or "
@@ -108,6 +117,7 @@ const struct ts_style ts_fix_insert_pack = {
 	.example = "fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once "
 		   "overlapcheck yes all_in yes vel constant 0 0 -0.5 region bed volumefraction_region 0.3",
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = ts_insertion_region_archive,

@@ -59,11 +59,20 @@ static const struct ts_arg args[] = {
 
 static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state), TS_SAVED_ROWS_END };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "nparticles mass particlerate massrate insert_every" },
+	TS_INSERTION_REGION_GROUPS,
+	TS_INSERTION_GROUPS,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 const struct ts_style ts_fix_insert_rate_region = {
 	.name = "insert/rate/region",
 	.kind = TS_KIND_FIX,
 	.summary = "Inserts particles in a region at a given rate",
+	.purpose = "A feeder: grains appear in a region at a given rate. It needs a region, and a fix "
+		   "particledistribution/discrete with templates of particles.",
 	.doc = "Every insert_every steps, first in the step after the definition or in the step start, "
 	       "particles are inserted at random positions in the region. Their number is rate times "
 	       "interval, rounded up or down at random so that the mean is exact, until a total number or "
@@ -72,6 +81,7 @@ const struct ts_style ts_fix_insert_rate_region = {
 	.example = "fix rain all insert/rate/region seed 32452867 distributiontemplate mix nparticles 1000 "
 		   "particlerate 5000 insert_every 1000 overlapcheck yes region sky",
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = ts_insertion_region_archive,

@@ -539,11 +539,21 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "nparticles mass particlerate massrate insertion_face extrude_length insert_every" },
+	TS_INSERTION_GROUPS,
+	{ "The stream", "duration parallel" },
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 const struct ts_style ts_fix_insert_stream = {
 	.name = "insert/stream",
 	.kind = TS_KIND_FIX,
 	.summary = "Inserts a stream of particles through a plane face",
+	.purpose =
+		"A feeder: grains fall through a face into the simulation at a given rate. It needs a plane "
+		"fix mesh/surface, and a fix particledistribution/discrete with templates of particles.",
 	.doc = "In each insertion, rate times interval particles are placed at random in the space behind a "
 	       "plane mesh: the face extruded by the length L against the velocity. They move towards the "
 	       "face with the normal component of the velocity, irrespective of forces. When their centers "
@@ -568,6 +578,7 @@ const struct ts_style ts_fix_insert_stream = {
 		   "0.6",
 	.family = TS_FAMILY_STREAM,
 	.args = args,
+	.groups = groups,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = archive,

@@ -118,4 +118,13 @@ bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *o
 enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occupied,
 				     const struct ts_new_particle *one);
 
+/* Order of TS_INSERTION_ARGS in the manual pages. */
+#define TS_INSERTION_GROUPS                                                                  \
+	{ NULL, "seed distributiontemplate vel overlapcheck" },                              \
+		{ "How particles are placed", "maxattempt all_in random_distribute start" }, \
+		{ "What inserted particles have", "omega orientation set_property" },        \
+	{                                                                                    \
+		"Messages and identities", "verbose compress_tags"                           \
+	}
+
 #endif

@@ -51,4 +51,11 @@ enum ts_status ts_insertion_region_scatter(struct ts_instance *self, struct tsim
 enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim *sim,
 					   struct ts_archive *archive);
 
+/* Order of these arguments in the manual pages. */
+#define TS_INSERTION_REGION_GROUPS                                                                \
+	{ NULL, "region" },                                                                       \
+	{                                                                                         \
+		"The region", "ntry_mc check_dist_from_subdomain_border warn_region avoid_meshes" \
+	}
+
 #endif

@@ -31,11 +31,19 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
+static const struct ts_arg_group groups[] = {
+	TS_MESH_STRESS_GROUP,
+	TS_MESH_GROUPS,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress)
 const struct ts_style ts_fix_mesh_surface_stress = {
 	.name = "mesh/surface/stress",
 	.kind = TS_KIND_FIX,
 	.summary = "A triangle mesh with the force, torque, stresses and wear due to particles",
+	.purpose = "As fix mesh/surface, for parts whose load is wanted: the torque of a drum, the weight on "
+		   "a tray, pressure and wear on each triangle.",
 	.doc = "A mesh as with fix mesh/surface. In addition, the forces that particles exert on it are "
 	       "summed: f_ID[1..3] is the force on the mesh, f_ID[4..6] the torque about reference_point, "
 	       "the sum of (p - reference_point) x F over the contact points p, f_ID[7..9] the present "
@@ -59,6 +67,7 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 		"fix k all property/global k_finnie peratomtypepair 1 1e-9\n"
 		"fix chute all mesh/surface/stress file chute.stl type 1 reference_point 0 0 0.1 wear finnie",
 	.args = args,
+	.groups = groups,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
 	.archive = ts_mesh_stress_archive,

@@ -465,11 +465,21 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "com ctrlPV axis target_val vel_max" },
+	{ "The controller", "kp ki kd mode ratio" },
+	TS_MESH_STRESS_GROUP,
+	TS_MESH_GROUPS,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress_servo)
 const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.name = "mesh/surface/stress/servo",
 	.kind = TS_KIND_FIX,
 	.summary = "A mesh that moves or rotates until particles exert a given force or torque on it",
+	.purpose = "A punch, a lid or a blade that moves until grains press on it with a given force or "
+		   "torque: compaction, shear cells, drill bits.",
 	.doc = "A mesh as with fix mesh/surface/stress, with com as its reference point, that moves along "
 	       "the axis (ctrlPV force) or rotates about the axis through com (ctrlPV torque). After each "
 	       "step the controller computes the relative error\n\n"
@@ -506,6 +516,7 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.example = "fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis "
 		   "0 0 -1 target_val 10 vel_max 0.1",
 	.args = args,
+	.groups = groups,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -63,4 +63,10 @@ enum ts_status ts_mesh_stress_post_build(struct ts_instance *self, struct tsim *
 enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_mesh_stress_settle(struct ts_instance *self, struct tsim *sim);
 
+/* Order of TS_MESH_STRESS_ARGS in the manual pages. */
+#define TS_MESH_STRESS_GROUP                                                    \
+	{                                                                       \
+		"Force, torque, stress and wear", "stress reference_point wear" \
+	}
+
 #endif

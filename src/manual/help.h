@@ -11,9 +11,6 @@
 void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out);
 /* Appends a line for each style of the kind; in Markdown with links to the pages. */
 void ts_help_list(const struct ts_tables *tables, enum ts_kind kind, bool markdown, struct ts_str *out);
-/* Appends a heading, and an item of a list, for pages of other topics. */
-void ts_help_heading(const char *text, bool markdown, struct ts_str *out);
-void ts_help_item(const char *name, const char *text, bool markdown, struct ts_str *out);
 /* "fix_drag_ergun.md" */
 void ts_help_file_name(const struct ts_style *style, struct ts_str *out);
 

@@ -1,7 +1,7 @@
 #include "manual/topics.h"
 
 #include "core/sim.h"
-#include "manual/help.h"
+#include "manual/help_text.h"
 #include "formula/expr.h"
 #include "formula/variable.h"
 

@@ -19,11 +19,18 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	TS_MESH_GROUPS,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
 const struct ts_style ts_fix_mesh_surface = {
 	.name = "mesh/surface",
 	.kind = TS_KIND_FIX,
 	.summary = "A surface of triangles from a file or of given sizes, for walls and insertion faces",
+	.purpose = "The geometry of a machine: from a file of a drawing program, or by its sizes. It has an "
+		   "effect on grains by `fix wall/gran ... mesh`, and moves by fix move/mesh.",
 	.doc = "Reads triangles from a file, or makes those of a shape of given sizes (`primitive`: box, "
 	       "plate, disk, cylinder, tube, cone, hopper, wedge, drum, sphere, screw ..., see command "
 	       "mesh_primitive), scales, moves and rotates them in the order of the keywords, and determines "
@@ -58,6 +65,7 @@ const struct ts_style ts_fix_mesh_surface = {
 		   "fix bottom all mesh/surface file disc.stl type 1 extrude_planar 0.1\n"
 		   "fix rim all mesh/surface fix bottom type 1",
 	.args = args,
+	.groups = groups,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
 	.archive = ts_mesh_surface_archive,

@@ -31,6 +31,11 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	TS_MESH_GROUPS,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface_planar)
 const struct ts_style ts_fix_mesh_surface_planar = {
 	.name = "mesh/surface/planar",
@@ -41,6 +46,7 @@ const struct ts_style ts_fix_mesh_surface_planar = {
 	.example = "fix inlet all mesh/surface/planar file inlet.stl type 1 scale 0.001\n"
 		   "fix face all mesh/surface/planar primitive disk radius 0.02 base 0 0 0.1 type 1",
 	.args = args,
+	.groups = groups,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
 	.archive = ts_mesh_surface_archive,

@@ -81,4 +81,15 @@ extern const char *const ts_mesh_heal_names[];
 enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
 				    const struct ts_mesh_words *words);
 
+/* Order of TS_MESH_ARGS in the manual pages. */
+#define TS_MESH_GROUPS                                                                               \
+	{ NULL, "file primitive type scale move rotate" },                                           \
+		{ "Motion of the surface in its own plane", "surface_vel surface_ang_vel" },         \
+		{ "Heat", "temperature" },                                                           \
+		{ "Parts of a mesh, and meshes made from another", "region fix extrude_planar" },    \
+	{                                                                                            \
+		"Faults of the file, edges",                                                         \
+			"precision curvature curvature_tolerant heal element_exclusion_list verbose" \
+	}
+
 #endif

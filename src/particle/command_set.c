@@ -360,12 +360,22 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "style type diameter density mass x y z vx vy vz" },
+	{ "Rotation", "omega omegax omegay omegaz" },
+	{ "Types at random", "type/fraction type/ratio type/subset" },
+	{ "Properties of fix property/atom", "property/atom d_NAME i_NAME d2_NAME i2_NAME mol" },
+	{ "Other", "density/disc image bond" },
+	{ .words = NULL },
+};
+
 TS_STYLE(command, ts_command_style, ts_command_set)
 const struct ts_command_style ts_command_set = {
 	.style = {
 		.name = "set",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets properties of particles",
+		.purpose = "Changes particles that exist: their size, density, velocity, type.",
 		.doc = "Sets properties of the selected particles. A number may be v_NAME; an atom-style\n"
 		       "variable gives each particle its own value.\n\n"
 		       "Keywords with one number are applied from left to right: `diameter 2 mass 1`\n"
@@ -379,6 +389,7 @@ const struct ts_command_style ts_command_set = {
 			   "set group bed type/fraction 2 0.3 86028157\n"
 			   "set type 1 d_age 2.385 i2_mark[2] 7",
 		.args = args,
+		.groups = groups,
 		.state_size = sizeof(struct state),
 	},
 	.needs_box = true,

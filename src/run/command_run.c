@@ -169,6 +169,13 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "N upto every" },
+	{ "Several runs as one", "start stop" },
+	{ "Preparation and end", "pre post unsafe" },
+	{ .words = NULL },
+};
+
 TS_STYLE(command, ts_command_style, ts_command_run)
 const struct ts_command_style ts_command_run = {
 	.style = { .name = "run",
@@ -193,6 +200,7 @@ const struct ts_command_style ts_command_run = {
 			  "turns these errors into warnings; it is meant for tests of the limits.",
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
 		   .args = args,
+		   .groups = groups,
 		   .state_size = sizeof(struct run) },
 	.needs_box = true,
 	.run = run,

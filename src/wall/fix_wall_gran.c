@@ -248,11 +248,25 @@ static const char *const doc_more[] = {
 	NULL
 };
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "primitive type xplane yplane zplane xcylinder ycylinder zcylinder mesh n_meshes meshes" },
+	{ "Height fields", "voxels" },
+	{ "Motion and temperature of the surface", "shear wiggle velocity temperature" },
+	{ "Impacts", "impact" },
+	TS_WALL_GROUP,
+	TS_GRANULAR_GROUPS,
+	TS_WALL_LAW_GROUP,
+	{ .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 const struct ts_style ts_fix_wall_gran = {
 	.name = "wall/gran",
 	.kind = TS_KIND_FIX,
 	.summary = "Rigid walls with a contact law: planes, cylinders, meshes and height fields",
+	.purpose = "Floors, hoppers, drums, belts, lids and whole machines that grains touch. Give one "
+		   "contact law and one shape: a plane or cylinder (`primitive`), meshes (`mesh`), or a "
+		   "height field (`voxels`).",
 	.doc = doc,
 	.doc_more = doc_more,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
@@ -268,6 +282,7 @@ const struct ts_style ts_fix_wall_gran = {
 		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 cad2\n"
 		   "fix plate all wall/gran model hertz tangential history voxels rough",
 	.args = args,
+	.groups = groups,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),
 	.archive = archive,

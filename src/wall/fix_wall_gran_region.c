@@ -97,6 +97,10 @@ static const char doc[] =
 	"particle near it in one step stops the run (doc/stability.md).\n\n"
 	"Related: fix wall/gran, region, compute wall/gran/local.";
 
+static const struct ts_arg_group groups[] = {
+	{ NULL, "region type" }, TS_WALL_GROUP, TS_GRANULAR_GROUPS, TS_WALL_LAW_GROUP, { .words = NULL },
+};
+
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 const struct ts_style ts_fix_wall_gran_region = {
 	.name = "wall/gran/region",
@@ -109,6 +113,7 @@ const struct ts_style ts_fix_wall_gran_region = {
 		"1.0 0.5 damping tsuji region tube\n"
 		"fix bowl all wall/gran/region model hertz tangential history type 1 region cup",
 	.args = args,
+	.groups = groups,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),
 	.archive = archive,

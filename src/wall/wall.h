@@ -251,4 +251,11 @@ enum { TS_WALL_CONTACT_COLUMNS = 8 };
 			ts_wall_eval_force                                                      \
 	}
 
+/* Of the arguments above in the manual pages. */
+#define TS_WALL_GROUP                                                                                      \
+	{ "Contact area (heat)", "contact_area" },                                                         \
+	{                                                                                                  \
+		"Forces for output", "store_force contacts store_force_contact store_force_contact_stress" \
+	}
+
 #endif

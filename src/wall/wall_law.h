@@ -26,6 +26,12 @@ struct ts_wall_law {
 		TS_FLAG("limit_damping", T, f.numbers.limit_damping,                                         \
 			.help = "with these laws: the normal force never pulls")
 
+/* In the manual pages. */
+#define TS_WALL_LAW_GROUP                                                                            \
+	{                                                                                            \
+		"Contact laws of LAMMPS", "hooke hooke/history hertz/history granular limit_damping" \
+	}
+
 /* In init: if one of these laws is given, sets it as the law of the wall; fails if there are several. */
 enum ts_status ts_wall_law_choose(struct ts_instance *self, struct tsim *sim, struct ts_wall_law *law,
 				  struct ts_wall *wall);

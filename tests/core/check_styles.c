@@ -75,6 +75,42 @@ static void check_row(const struct ts_style *style, const struct ts_arg *row, bo
 	EXPECT(!(row->flags & TS_OPTIONAL) || !row->fallback, "both optional and with a default");
 }
 
+/* How many groups have the argument. */
+static size_t groups_of(const struct ts_style *style, const char *name)
+{
+	size_t n = 0, length = strlen(name);
+
+	for (const struct ts_arg_group *g = style->groups; g->words; g++)
+		for (const char *at = g->words; *at; at += strcspn(at, " "), at += strspn(at, " "))
+			n += strcspn(at, " ") == length && strncmp(at, name, length) == 0;
+	return n;
+}
+
+/* Each argument is in one group of the manual page, and the groups have no other words. */
+START_TEST(groups)
+{
+	const struct ts_style *s = ts_style_table[_i];
+	size_t words = 0, rows = 0;
+	bool needed = false;
+
+	at(s, NULL);
+	for (const struct ts_arg_group *g = s->groups; g && g->words; g++) {
+		EXPECT(!g->title || filled(g->title), "a group with an empty title");
+		needed |= !g->title;
+		for (const char *w = g->words; *w; w += strcspn(w, " "), w += strspn(w, " "))
+			words++;
+	}
+	for (const struct ts_arg *row = s->args; s->groups && row->type != TS_ARG_END; row++) {
+		at(s, row->name);
+		EXPECT(groups_of(s, row->name) == 1, "is not in one group of the manual page");
+		rows++;
+	}
+	at(s, NULL);
+	EXPECT(words == (s->groups ? rows : 0), "a group has a word that is no argument");
+	EXPECT(!s->groups || needed, "no group of words that everybody needs");
+}
+END_TEST
+
 static void check_rows(const struct ts_style *style, const struct ts_arg *rows, bool in_mode)
 {
 	bool keywords = false, may_lack = false, rest = false;
@@ -241,6 +277,7 @@ int main(void)
 		n++;
 	tcase_add_loop_test(each, described, 0, n);
 	tcase_add_loop_test(each, example_names_style, 0, n);
+	tcase_add_loop_test(each, groups, 0, n);
 	tcase_add_loop_test(each, arguments, 0, n);
 	tcase_add_loop_test(each, defaults, 0, n);
 	tcase_add_loop_test(each, values, 0, n);
