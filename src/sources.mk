@@ -898,6 +898,11 @@ library_sources = \
 	src/manual/manual.c \
 	src/manual/manual.h \
 	src/manual/manual_search.c \
+	src/manual/page_text.h \
+	src/manual/search_query.c \
+	src/manual/search_query.h \
+	src/manual/search_text.c \
+	src/manual/search_text.h \
 	src/manual/topics.c \
 	src/manual/topics.h \
 	src/material/command_material.c \

@@ -5,6 +5,7 @@
 #include "core/sim.h"
 #include "core/unsupported_names.h"
 #include "manual/help.h"
+#include "manual/page_text.h"
 #include "manual/topics.h"
 #include "formula/expr.h"
 #include "formula/variable.h"
@@ -68,27 +69,6 @@ static void add_other_entries(const struct ts_tables *tables, const char *name, 
 				    w->remark);
 }
 
-/* Appends the styles whose name contains the word, and the pages that contain it. */
-static void add_similar(const struct ts_tables *tables, const char *name, struct ts_str *out)
-{
-	for (const struct ts_style *const *s = tables->styles; *s; s++)
-		if (strstr((*s)->name, name))
-			ts_str_addf(out, "  %-8s %-20s %s\n", ts_kind_name((*s)->kind), (*s)->name,
-				    (*s)->summary);
-	ts_str_add(out, out->length ? "\n" : "");
-	ts_manual_search(tables, name, out);
-}
-
-static void add_pages(const struct ts_tables *tables, const char *name, const enum ts_kind *of,
-		      struct ts_str *out)
-{
-	for (const struct ts_style *const *s = tables->styles; *s; s++)
-		if ((!of || (*s)->kind == *of) && ts_style_find(tables, (*s)->kind, name) == *s) {
-			ts_str_add(out, out->length ? "\n\n" : "");
-			ts_help_page(*s, false, out);
-		}
-}
-
 static void add_suggestion(const struct ts_tables *tables, const char *name, const char *of,
 			   struct ts_str *out)
 {
@@ -102,6 +82,40 @@ static void add_suggestion(const struct ts_tables *tables, const char *name, con
 	for (int kind = TS_KIND_COMMAND; !of && kind < TS_NKIND; kind++)
 		ts_suggest_try(&suggest, ts_kind_name((enum ts_kind)kind));
 	ts_str_addf(out, "there is no %s '%s'%s", of ? of : "kind or style", name, ts_suggest_text(&suggest));
+}
+
+/* Appends the styles whose name contains the word, and the passages that contain it; a message if there are none. A
+ * word that is like a name, and is on one page only, is misspelled. */
+static void add_similar(const struct ts_tables *tables, const char *name, struct ts_str *out,
+			struct ts_str *message)
+{
+	struct ts_str passages = { 0 };
+	size_t pages;
+
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
+		if (strstr((*s)->name, name))
+			ts_str_addf(out, "  %-8s %-20s %s\n", ts_kind_name((*s)->kind), (*s)->name,
+				    (*s)->summary);
+	add_suggestion(tables, name, NULL, message);
+	pages = ts_manual_search(tables, name, &passages);
+	if (out->length || pages > 1 || (pages && !strstr(ts_str_text(message), "did you mean"))) {
+		ts_str_addf(out, "%s%s", out->length && pages ? "\n" : "",
+			    pages ? ts_str_text(&passages) : "");
+	} else if (!strstr(ts_str_text(message), "did you mean")) {
+		ts_str_clear(message);
+		ts_str_add(message, ts_str_text(&passages));
+	}
+	ts_str_release(&passages);
+}
+
+static void add_pages(const struct ts_tables *tables, const char *name, const enum ts_kind *of,
+		      struct ts_str *out)
+{
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
+		if ((!of || (*s)->kind == *of) && ts_style_find(tables, (*s)->kind, name) == *s) {
+			ts_str_add(out, out->length ? "\n\n" : "");
+			ts_help_page(*s, false, out);
+		}
 }
 
 /* Appends the page of a style, or the reason why there is none. */
@@ -120,7 +134,25 @@ static bool add_style_page(const struct ts_tables *tables, const char *name, enu
 	return false;
 }
 
-static void add_word(const struct ts_tables *tables, const char *name, struct ts_str *out)
+/* Appends the text of a page of doc/ or of the comment of an example. */
+static void add_document(const char *name, struct ts_str *out)
+{
+	const char *heading = "";
+
+	for (const struct ts_page_text *t = ts_page_texts; t->page; t++) {
+		if (!ts_streq(t->page, name))
+			continue;
+		if (!out->length)
+			ts_str_addf(out, "%s: %s\n", t->page, t->title);
+		if (!ts_streq(t->heading, heading))
+			ts_str_addf(out, "\n%s\n", t->heading);
+		heading = t->heading;
+		ts_str_addf(out, "\n%s\n", t->text);
+	}
+}
+
+static void add_word(const struct ts_tables *tables, const char *name, struct ts_str *out,
+		     struct ts_str *message)
 {
 	enum ts_kind kind;
 
@@ -132,30 +164,48 @@ static void add_word(const struct ts_tables *tables, const char *name, struct ts
 	}
 	add_other_entries(tables, name, out);
 	if (!out->length)
-		add_similar(tables, name, out);
+		add_document(name, out);
+	if (!out->length)
+		add_similar(tables, name, out, message);
 }
 
-bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts_str *out)
+/* For "KIND NAME": true if it is such a name, or a misspelled one; otherwise it may be a phrase. */
+static bool find_style(const struct ts_tables *tables, const char *words, struct ts_str *out, bool *found)
 {
 	const char *blank = strchr(words, ' ');
 	struct ts_str first = { 0 };
 	enum ts_kind kind;
 	bool style;
 
+	ts_str_add_n(&first, words, blank ? (size_t)(blank - words) : 0);
+	style = blank && find_kind(ts_str_text(&first), &kind) && !strchr(blank + 1, ' ');
+	ts_str_release(&first);
+	if (!style)
+		return false;
+	*found = add_style_page(tables, blank + 1, kind, out);
+	return *found || strstr(ts_str_text(out), "did you mean");
+}
+
+bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts_str *out)
+{
+	struct ts_str message = { 0 };
+	bool found = false;
+
 	for (const struct ts_topic *t = ts_topics; t->name; t++)
 		if (ts_streq(t->name, words)) {
 			t->page(tables, false, out);
 			return true;
 		}
-	ts_str_add_n(&first, words, blank ? (size_t)(blank - words) : 0);
-	style = blank && find_kind(ts_str_text(&first), &kind) && !strchr(blank + 1, ' ');
-	ts_str_release(&first);
-	if (style)
-		return add_style_page(tables, blank + 1, kind, out);
-	if (!blank)
-		add_word(tables, words, out);
-	if (out->length || ts_manual_search(tables, words, out))
-		return true;
-	add_suggestion(tables, words, NULL, out);
-	return false;
+	if (find_style(tables, words, out, &found))
+		return found;
+	ts_str_clear(out);
+	if (!strchr(words, ' '))
+		add_word(tables, words, out, &message);
+	else if (ts_manual_search(tables, words, &message))
+		ts_str_add(out, ts_str_text(&message));
+	found = out->length > 0;
+	if (!found)
+		ts_str_add(out, ts_str_text(&message));
+	ts_str_release(&message);
+	return found;
 }

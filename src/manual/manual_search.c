@@ -1,156 +1,245 @@
-/* Full-text search in the pages of the manual. */
+/* Search for passages of the manual, of the pages in doc/ and of the examples. A passage is ranked by the words it has:
+ * rare words count more, more occurrences more with diminishing effect, and less in a long passage (BM25: S. Robertson,
+ * H. Zaragoza, Found. Trends Inf. Retr. 3 (2009) 333, eq. 3.15); words in the title of the page and in the heading count,
+ * too. Each page is shown once, with its best passage. */
 #include <ctype.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/sort.h"
-#include "manual/help.h"
 #include "manual/manual.h"
-#include "manual/topics.h"
+#include "manual/search_query.h"
+#include "manual/search_text.h"
 
 #include "base/banned.h"
 
-enum { SHOWN = 12, WIDTH = 76 };
+enum { SHOWN = 8, WIDTH = 76, LINES = 3 };
+/* Parameters of BM25, and the weights of title, heading, whole phrase, lines of examples, and of further passages
+ * of the page. */
+static const double saturation = 1.2, length_part = 0.75, in_title = 1.6, in_heading = 0.8,
+		    phrase_factor = 1.3, example_factor = 0.5, page_factor = 0.3;
 
 struct hit {
-	const struct ts_style *style; /* NULL: a topic */
-	const struct ts_topic *topic;
-	size_t count;
-	char line[WIDTH + 1]; /* the first line that contains it */
+	double score;	      /* of its best passage */
+	size_t page, passage; /* that one */
+	size_t n;	      /* passages of the page that have the words */
 };
 
-static void make_lower_case(struct ts_str *text)
+struct search {
+	struct ts_query query;
+	struct ts_search_text text;
+	double rarity[TS_QUERY_WORDS], total; /* of each word, their sum */
+	double mean_length;		      /* of a passage */
+	struct hit *hits;
+	size_t n;
+};
+
+static const char *passage_text(const struct search *s, const struct ts_search_passage *p)
 {
-	for (size_t k = 0; k < text->length; k++)
-		text->text[k] = (char)tolower((unsigned char)text->text[k]);
+	return ts_str_text(&s->text.page[p->page].small) + p->begin;
 }
 
-static size_t count_of(const char *text, const char *word)
+static bool title_has(const struct search *s, size_t page, size_t k)
 {
-	size_t n = 0, length = strlen(word);
+	const struct ts_str *title = &s->text.page[page].title;
 
-	for (const char *at = text; (at = strstr(at, word)); at += length)
-		n++;
-	return n;
+	return ts_query_count(&s->query, k, ts_str_text(title), title->length) > 0;
 }
 
-/* Number of occurrences of the whole phrase or, if there are none, of the rarest of its words. */
-static size_t occurrences(const char *text, const char *words)
+/* Rarity of each word: log(1 + (N - n + 1/2) / (n + 1/2)), n of N passages having it; 0 if none has it. */
+static void find_rarities(struct search *s)
 {
-	size_t least = count_of(text, words);
-	struct ts_str word = { 0 };
+	double all = (double)s->text.passages, length = 0;
 
-	if (least || !strchr(words, ' '))
-		return least;
-	least = SIZE_MAX;
-	for (const char *at = words; *at && least; at += strspn(at, " ")) {
-		size_t n = strcspn(at, " "), count;
+	for (size_t p = 0; p < s->text.passages; p++)
+		length += (double)s->text.passage[p].length;
+	s->mean_length = length / fmax(all, 1);
+	for (size_t k = 0; k < s->query.n; k++) {
+		double n = 0;
 
-		ts_str_clear(&word);
-		ts_str_add_n(&word, at, n);
-		count = count_of(text, ts_str_text(&word));
-		least = count < least ? count : least;
-		at += n;
+		for (size_t p = 0; p < s->text.passages; p++) {
+			const struct ts_search_passage *q = &s->text.passage[p];
+
+			n += ts_query_count(&s->query, k, passage_text(s, q), q->length) > 0;
+		}
+		s->rarity[k] = n > 0 ? log(1 + (all - n + 0.5) / (n + 0.5)) : 0;
+		s->total += s->rarity[k];
 	}
-	ts_str_release(&word);
-	return least;
 }
 
-/* Copies the line of the page with the first occurrence. */
-static void copy_line(const char *page, const char *small, const char *words, char line[WIDTH + 1])
+static double score_of(const struct search *s, const struct ts_search_passage *p)
 {
-	size_t first = strcspn(words, " ");
-	struct ts_str word = { 0 };
-	const char *at = strstr(small, words);
-	size_t begin, n;
+	const char *text = passage_text(s, p);
+	double score = 0, found = 0,
+	       norm = 1 - length_part + length_part * fmax((double)p->length / s->mean_length, 1);
+	struct ts_str heading = { 0 };
+	bool any = false;
 
-	ts_str_add_n(&word, words, first);
-	if (!at)
-		at = strstr(small, ts_str_text(&word));
-	ts_str_release(&word);
-	begin = at ? (size_t)(at - small) : 0;
-	while (begin && page[begin - 1] != '\n')
-		begin--;
-	begin += strspn(page + begin, " ");
-	n = strcspn(page + begin, "\n");
-	snprintf(line, WIDTH + 1, "%.*s", (int)(n < WIDTH ? n : WIDTH), page + begin);
-}
+	ts_query_small_letters(p->heading, &heading);
+	for (size_t k = 0; k < s->query.n; k++) {
+		double count = ts_query_count(&s->query, k, text, p->length);
+		bool title = title_has(s, p->page, k);
+		bool head = ts_query_count(&s->query, k, ts_str_text(&heading), heading.length) > 0;
 
-/* Appends the page to the hits if it contains the words. */
-static void search_page(const struct ts_tables *tables, struct hit hit, const char *words,
-			struct ts_str *page, struct ts_str *small, struct hit *hits, size_t *n)
-{
-	ts_str_clear(page);
-	ts_str_clear(small);
-	if (hit.style)
-		ts_help_page(hit.style, false, page);
-	else
-		hit.topic->page(tables, false, page);
-	ts_str_add(small, ts_str_text(page));
-	if (page->failed || small->failed || !small->length)
-		return;
-	make_lower_case(small);
-	hit.count = occurrences(ts_str_text(small), words);
-	if (!hit.count)
-		return;
-	copy_line(ts_str_text(page), ts_str_text(small), words, hit.line);
-	hits[(*n)++] = hit;
+		score += s->rarity[k] * (count * (1 + saturation) / (count + saturation * norm) +
+					 in_title * title + in_heading * head);
+		found += count > 0 || title || head ? s->rarity[k] : 0;
+		any |= count > 0;
+	}
+	ts_str_release(&heading);
+	if (!any || s->total <= 0)
+		return 0;
+	if (s->query.n > 1 && memmem(text, p->length, s->query.phrase.text, s->query.phrase.length))
+		score *= phrase_factor;
+	return score * (p->example ? example_factor : 1) * found * found / (s->total * s->total);
 }
 
 static int compare_hits(const void *a, const void *b)
 {
 	const struct hit *p = a, *q = b;
 
-	if (p->count != q->count)
-		return p->count < q->count ? 1 : -1;
-	if (!p->style || !q->style)
-		return p->style ? 1 : q->style ? -1 : strcmp(p->topic->name, q->topic->name);
-	return p->style->kind != q->style->kind ? (int)p->style->kind - (int)q->style->kind
-						: strcmp(p->style->name, q->style->name);
+	if (p->score != q->score)
+		return p->score < q->score ? 1 : -1;
+	return p->page < q->page ? -1 : p->page > q->page;
 }
 
-static void add_hits(const struct hit *hits, size_t n, const char *words, struct ts_str *out)
+/* The best passage of each page. */
+static void find_hits(struct search *s)
 {
-	ts_str_addf(out, "'%s' is found on %zu page%s of the manual:\n\n", words, n, n == 1 ? "" : "s");
-	for (size_t k = 0; k < n && k < SHOWN; k++)
-		ts_str_addf(out, "  tsim -help %s%s%s\n      %s\n",
-			    hits[k].style ? ts_kind_name(hits[k].style->kind) : "", hits[k].style ? " " : "",
-			    hits[k].style ? hits[k].style->name : hits[k].topic->name, hits[k].line);
-	if (n > SHOWN)
-		ts_str_addf(out, "\nand %zu further pages with fewer occurrences\n", n - SHOWN);
-}
+	for (size_t p = 0; p < s->text.passages; p++) {
+		const struct ts_search_passage *q = &s->text.passage[p];
+		double score = score_of(s, q);
+		struct hit *last = s->n ? &s->hits[s->n - 1] : NULL;
 
-bool ts_manual_search(const struct ts_tables *tables, const char *words, struct ts_str *out)
-{
-	struct ts_str page = { 0 }, small = { 0 }, wanted = { 0 };
-	size_t n = 0, all = 0;
-	struct hit *hits;
-
-	for (const struct ts_topic *t = ts_topics; t->name; t++)
-		all++;
-	for (const struct ts_style *const *s = tables->styles; *s; s++)
-		all++;
-	hits = ts_alloc(all, sizeof *hits);
-	ts_str_add(&wanted, words);
-	if (!hits || wanted.failed) {
-		ts_str_release(&wanted);
-		ts_free(hits);
-		return false;
+		if (score <= 0)
+			continue;
+		if (!last || last->page != q->page)
+			s->hits[s->n++] = (struct hit){ score, q->page, p, 1 };
+		else if (score > last->score)
+			*last = (struct hit){ score, q->page, p, last->n + 1 };
+		else
+			last->n++;
 	}
-	make_lower_case(&wanted);
-	for (const struct ts_topic *t = ts_topics; t->name; t++)
-		search_page(tables, (struct hit){ .topic = t }, ts_str_text(&wanted), &page, &small, hits,
-			    &n);
-	for (const struct ts_style *const *s = tables->styles; *s; s++)
-		search_page(tables, (struct hit){ .style = *s }, ts_str_text(&wanted), &page, &small, hits,
-			    &n);
-	ts_sort(hits, n, sizeof *hits, compare_hits);
-	if (n)
-		add_hits(hits, n, words, out);
-	ts_str_release(&page);
-	ts_str_release(&small);
-	ts_str_release(&wanted);
-	ts_free(hits);
-	return n > 0;
+	for (size_t k = 0; k < s->n; k++)
+		s->hits[k].score *= 1 + page_factor * log((double)s->hits[k].n);
+	ts_sort(s->hits, s->n, sizeof *s->hits, compare_hits);
+}
+
+/* Where the passage is best cut: at the line in which the first of the words stands. */
+static size_t first_line(const struct search *s, const struct ts_search_passage *p)
+{
+	const char *text = passage_text(s, p);
+	size_t best = 0;
+	double most = 0;
+
+	for (size_t k = 0; k < p->length;) {
+		size_t n = strcspn(text + k, "\n") + 1;
+		double value = 0;
+
+		n = n > p->length - k ? p->length - k : n;
+		for (size_t w = 0; w < s->query.n; w++)
+			value += s->rarity[w] * (ts_query_count(&s->query, w, text + k, n) > 0);
+		if (value > most) {
+			most = value;
+			best = k;
+		}
+		k += n;
+	}
+	return best;
+}
+
+/* Appends some lines of the passage, without their indentation. */
+static void add_passage(const struct search *s, const struct ts_search_passage *p, struct ts_str *out)
+{
+	const char *text = ts_str_text(&s->text.page[p->page].text) + p->begin;
+	size_t k = first_line(s, p);
+
+	for (int line = 0; line < LINES && k < p->length; line++) {
+		size_t n = strcspn(text + k, "\n"), blanks = strspn(text + k, " ");
+
+		n = k + n > p->length ? p->length - k : n;
+		if (blanks >= n)
+			break;
+		ts_str_add(out, "      ");
+		ts_str_add_n(out, text + k + blanks, n - blanks > 2 * WIDTH ? 2 * WIDTH : n - blanks);
+		ts_str_add(out, n - blanks > 2 * WIDTH ? " ...\n" : "\n");
+		k += n + 1;
+	}
+}
+
+static void add_hits(const struct search *s, const char *words, struct ts_str *out)
+{
+	ts_str_addf(out, "'%s' is found on %zu page%s of the manual:\n\n", words, s->n, s->n == 1 ? "" : "s");
+	for (size_t k = 0; k < s->n && k < SHOWN; k++) {
+		const struct ts_search_passage *p = &s->text.passage[s->hits[k].passage];
+
+		ts_str_addf(out, "  tsim -help %s", ts_str_text(&s->text.page[p->page].command));
+		if (s->text.page[p->page].shown)
+			ts_str_addf(out, "    %s%s%s", s->text.page[p->page].shown, *p->heading ? ": " : "",
+				    p->heading);
+		ts_str_add(out, "\n");
+		add_passage(s, p, out);
+	}
+	if (s->n > SHOWN)
+		ts_str_addf(out, "\nand %zu further pages that fit less\n", s->n - SHOWN);
+}
+
+/* Suggests a word of the text for one that is not in it. */
+static void add_suggestion(const struct search *s, const char *word, struct ts_str *out)
+{
+	struct ts_suggest suggest = ts_suggest_start(word);
+	struct ts_str candidate = { 0 }, best = { 0 };
+
+	for (size_t p = 0; p < s->text.pages; p++)
+		for (const char *at = ts_str_text(&s->text.page[p].small); *at;) {
+			size_t n = 0;
+
+			while (isalpha((unsigned char)at[n]))
+				n++;
+			ts_str_clear(&candidate);
+			ts_str_add_n(&candidate, at, n);
+			at += n ? n : 1;
+			if (n < 4)
+				continue;
+			ts_suggest_try(&suggest, ts_str_text(&candidate));
+			if (suggest.best != candidate.text)
+				continue;
+			ts_str_clear(&best);
+			ts_str_add(&best, candidate.text);
+			suggest.best = ts_str_text(&best);
+		}
+	ts_str_addf(out, "no page of the manual has the word '%s'", word);
+	if (suggest.best)
+		ts_str_addf(out, "; did you mean '%s'?", suggest.best);
+	ts_str_release(&candidate);
+	ts_str_release(&best);
+}
+
+size_t ts_manual_search(const struct ts_tables *tables, const char *words, struct ts_str *out)
+{
+	struct search s = { 0 };
+	const char *unknown = NULL;
+	size_t found;
+
+	ts_query_make(&s.query, words);
+	ts_search_text_make(tables, &s.text);
+	s.hits = ts_alloc(s.text.pages, sizeof *s.hits);
+	if (!s.text.failed && s.hits) {
+		find_rarities(&s);
+		for (size_t k = 0; k < s.query.n && !unknown; k++)
+			unknown = s.rarity[k] > 0 ? NULL : ts_str_text(&s.query.word[k]);
+		if (!unknown)
+			find_hits(&s);
+	}
+	found = s.n;
+	if (found)
+		add_hits(&s, words, out);
+	else if (unknown)
+		add_suggestion(&s, unknown, out);
+	else
+		ts_str_addf(out, "'%s' has no words to search for", words);
+	ts_free(s.hits);
+	ts_search_text_release(&s.text);
+	ts_query_release(&s.query);
+	return found;
 }

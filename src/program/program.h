@@ -25,7 +25,8 @@ struct ts_plot_words {
 struct ts_setup {
 	const char *input, *log, *screen, *doc, *grammar, *results;
 	bool help, version, log_given, check, explain, advised, programs, sandboxed;
-	const char *help_kind, *help_style;
+	char *const *help_words; /* after -help */
+	int help_count;
 	FILE *screen_file; /* of -screen; the caller closes it */
 	/* arguments of options; variables and own: -var, -threads and -shell, for programs that -crosscheck
 	 * and -advise run */

@@ -121,7 +121,8 @@ static const struct {
 	[OPT_YLABEL] = { "ylabel", "TEXT", "with -plot: the same of the vertical axis", 1 },
 	[OPT_RIGHTLABEL] = { "rightlabel", "TEXT", "with -plot: the same of the axis on the right", 1 },
 	[OPT_SIZE] = { "size", "WIDTHxHEIGHT", "with -plot: of a plot, letters are 13 high (480x320)", 1 },
-	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
+	[OPT_HELP] = { "help", "[WORDS]", "manual page, -help fix gravity, or search, -help angle of repose",
+		       0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
 	[OPT_VERSION] = { "version", "", "print the version", 0 },
@@ -340,8 +341,8 @@ static int apply_page(struct ts_setup *setup, enum option_id id, char *const *va
 {
 	if (id == OPT_HELP) {
 		setup->help = true;
-		setup->help_kind = n > 0 ? value[0] : NULL;
-		setup->help_style = n > 1 ? value[1] : NULL;
+		setup->help_words = value;
+		setup->help_count = n;
 	} else if (id == OPT_DOC) {
 		setup->doc = value[0];
 	} else if (id == OPT_GRAMMAR) {

@@ -48,8 +48,8 @@ static void print_usage(void)
 	ts_crosscheck_help(&text);
 	ts_program_print(&text);
 	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a list of "
-	     "its styles,\ntsim -help KIND STYLE for one of them, tsim -help \"some words\" for pages with "
-	     "them. Kinds are");
+	     "its styles,\ntsim -help KIND STYLE for one of them, tsim -help SOME WORDS for the best "
+	     "passages about them. Kinds are");
 	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
 		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
 	puts("and further pages");
@@ -62,11 +62,12 @@ int ts_program_help(const struct ts_setup *setup)
 	struct ts_str text = { 0 }, words = { 0 };
 	int status;
 
-	if (!setup->help_kind) {
+	if (!setup->help_count) {
 		print_usage();
 		return EXIT_SUCCESS;
 	}
-	ts_str_addf(&words, setup->help_style ? "%s %s" : "%s", setup->help_kind, setup->help_style);
+	for (int k = 0; k < setup->help_count; k++)
+		ts_str_addf(&words, "%s%s", k ? " " : "", setup->help_words[k]);
 	if (ts_manual_find(&ts_tables, ts_str_text(&words), &text))
 		status = ts_program_print(&text);
 	else

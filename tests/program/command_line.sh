@@ -77,13 +77,15 @@ page 'pair gran: ' 'pair_style gran'
 page 'fix drag: ' 'fix drag'
 page 'command pair_style: ' pair_style
 page 'particles are grains' pair_style lj/cut
-page 'tsim -help pair gran' restitution
+page 'tsim -help pair spring/dashpot' restitution
 page 'tsim -help fix mesh/surface' hopper
 page 'tsim -help pair gran' Rolling
 page 'tsim -help compute temp/com' granular temperature
 page 'tsim -help command flow_boundary' outlet
 page '      v = sum m v_i / sum m' fix ave/euler
-expect 'words that stand nowhere' 2 '' "tsim: there is no kind or style 'angle of repoze'
+expect 'a style that does not exist' 2 '' "tsim: there is no kind or style 'gravty'; did you mean 'gravity'?
+$more" -help gravty
+expect 'words that stand nowhere' 2 '' "tsim: no page of the manual has the word 'repoze'; did you mean 'repose'?
 $more" -help 'angle of repoze'
 mkdir pages && "$TSIM" -doc pages && shows 'command_print.md' pages/index.md &&
 	grep -q '^# command print$' pages/command_print.md || { echo 'FAILED: -doc'; failed=1; }
