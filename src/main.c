@@ -351,10 +351,8 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 
 	if (status)
 		return status;
-	if (setup->version) {
-		printf("tsim %s\n", tsim_version());
-		return EXIT_SUCCESS;
-	}
+	if (setup->version)
+		return ts_program_version();
 	if (setup->help)
 		return ts_program_help(setup);
 	if (setup->grammar)

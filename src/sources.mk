@@ -855,11 +855,13 @@ library_sources = \
 	src/law/twisting.h \
 	src/library/library.h \
 	src/library/library_columns.c \
+	src/library/library_features.c \
 	src/library/library_life.c \
 	src/library/library_manual.c \
 	src/library/library_particles.c \
 	src/library/library_run.c \
 	src/library/library_state.c \
+	src/library/library_tables.c \
 	src/library/library_value.c \
 	src/library/style_table.c \
 	src/library/tsim_tables.c \

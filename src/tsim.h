@@ -208,6 +208,36 @@ TSIM_API int tsim_variable_text(struct tsim *sim, const char *name, char *out, s
 /* Name of variable k, from 0; NULL at the end. */
 TSIM_API const char *tsim_variable_name(struct tsim *sim, size_t k);
 
+/* ---- rows of the log, and tables in files ---- */
+
+/* A row of the log (thermo_style). Names are the titles of the columns. */
+struct tsim_row {
+	size_t size;
+	int64_t step;
+	double time;
+	size_t columns;
+	const char *const *names; /* [columns] */
+	const double *values;	  /* [columns] */
+};
+/* Calls fn with each row of the log, before it is printed, with all digits; NULL: none, which is the default. fn
+ * returns 0, or a code of its own, which ends the run with TSIM_STOPPED; it must not call the library. */
+typedef int tsim_row_fn(void *data, const struct tsim_row *row);
+TSIM_API void tsim_on_row(struct tsim *sim, tsim_row_fn *fn, void *data);
+
+/* Reads the tables of a file: a log of tsim, LIGGGHTS or LAMMPS (one for each run), a file of fix ave/time, ave/chunk,
+ * ave/histo, ave/correlate or print (one for each block), comma-separated values; *n: their number, at least 1. */
+TSIM_API int tsim_tables(struct tsim *sim, const char *path, size_t *n);
+/* Table k, from 0, of the last tsim_tables, whose memory it is, valid until the next one. */
+struct tsim_sheet {
+	size_t size;
+	const char *title; /* "run 2", "step 500"; "": the only table */
+	size_t rows, columns;
+};
+TSIM_API int tsim_table(struct tsim *sim, size_t k, struct tsim_sheet *out);
+/* Column c of table k: its name and its numbers, one for each row (each may be NULL). A NaN is a missing number. */
+TSIM_API int tsim_table_column(struct tsim *sim, size_t k, size_t c, const char **name,
+			       const double **values);
+
 /* ---- particles ---- */
 
 /* Number of particles. */
@@ -313,6 +343,9 @@ TSIM_API const char *tsim_live(struct tsim *sim, const char *kind, size_t k, con
 
 /* "1.2.3" */
 TSIM_API const char *tsim_version(void);
+/* Feature k, from 0, of this build ("threads", "png", "hdf5" ...), and the library and version that it is made
+ * with, or "no" (may be NULL); NULL at the end. */
+TSIM_API const char *tsim_feature(size_t k, const char **text);
 /* "command", "fix", "pair" ...; NULL at the end. */
 TSIM_API const char *tsim_kind(size_t k);
 /* Style k, from 0, of a kind, sorted by name, and its summary (may be NULL); NULL at the end. */

@@ -1,9 +1,11 @@
-"""Tests of python/tsim.py; run by tests/library/python.sh, with NumPy and without."""
+"""Tests of python/tsim; run by tests/library/python.sh, with NumPy and without."""
 import array
 import gc
+import io
 import math
 import os
 import sys
+import tempfile
 import threading
 import unittest
 
@@ -47,6 +49,11 @@ create_atoms 1 single 1 1 2.385 units box
 fix m all nve
 timestep 1e-3
 """
+
+
+def rows(values):
+    """Numbers as lists that can be compared."""
+    return [list(row) if hasattr(row, "__len__") else row for row in values]
 
 
 class Case(unittest.TestCase):
@@ -118,8 +125,9 @@ class Stepping(Case):
             self.sim.x  # from here on changes are looked for
             for _ in range(100):
                 self.sim.step(3)
-            for name in ("x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"):
+            for name in ("y", "z", "vx", "vy", "vz", "fx", "fy", "fz"):
                 self.assertEqual(list(self.sim.gather(name)), list(whole.gather(name)))
+            self.assertEqual(rows(self.sim.gather("x")), rows(whole.gather("x")))
 
     def test_stop(self):
         @self.sim.on_step("end_of_step")
@@ -171,7 +179,7 @@ class Numbers(Case):
         self.assertEqual(trace[3], self.sim.value("c_k"))
         self.assertEqual(self.sim.compute("k"), self.sim.value("c_k"))
         where = self.sim.compute("where")
-        self.assertEqual([row[1] for row in where], list(self.sim.read("x")))
+        self.assertEqual([row[1] for row in where], [row[0] for row in self.sim.read("x")])
         self.assertEqual(list(self.sim.evaluate("c_where[3]", "per_particle")),
                          list(self.sim.read("vz")))
         self.assertEqual(self.sim.outputs("c_where")[0].shape, "per_particle")
@@ -329,6 +337,344 @@ class Particles(Case):
                 sim.step(2)
             del sim
         self.assertEqual(kept[0, 0], 1.0)
+
+
+class Vectors(Case):
+    def test_three_numbers_for_each(self):
+        sim = self.sim
+        sim.step(50)
+        for name, parts in (("x", "x y z"), ("v", "vx vy vz"), ("f", "fx fy fz"),
+                            ("image", "ix iy iz")):
+            whole = rows(sim.gather(name))
+            self.assertEqual((len(whole), len(whole[0])), (len(sim), 3))
+            for k, part in enumerate(parts.split()[1:], 1):
+                self.assertEqual([row[k] for row in whole], list(sim.gather(part)))
+        # by identity, whatever the order in memory
+        memory = {int(tag): list(row) for tag, row in zip(sim.tag, sim.x.tolist())}
+        self.assertEqual(rows(sim.gather("x")), [memory[k] for k in sorted(memory)])
+        self.assertEqual(rows(sim.gather("x", [7, 3])), [memory[7], memory[3]])
+        self.assertEqual(rows(sim.read("x")), sim.x.tolist())
+
+    def test_written(self):
+        sim = self.sim
+        v = [[0.5 * k, -k, 2.385] for k in range(len(sim))]
+        sim.scatter("v", v)
+        self.assertEqual(rows(sim.gather("v")), v)
+        sim.write("v", [1, 2, 3])
+        self.assertEqual(rows(sim.read("v")), [[1, 2, 3]] * len(sim))
+        sim.scatter("v", [[4, 5, 6]], ids=[9])
+        self.assertEqual(rows(sim.gather("v", [9, 8])), [[4, 5, 6], [1, 2, 3]])
+        self.assertRaises(ValueError, sim.write, "v", [1, 2])
+        # all or none: a position that is no number
+        x = rows(sim.gather("x"))
+        self.assertRaises(tsim.TsimError, sim.scatter, "x",
+                          [[0.1, 0.1, float("nan")]] + x[1:])
+        self.assertEqual(rows(sim.gather("x")), x)
+
+
+class Tables(Case):
+    def test_log(self):
+        self.assertEqual(len(self.sim.thermo), 0)
+        self.sim.commands("thermo_style custom step ke v_a\nthermo 10\nvariable a equal step/3\nrun 35")
+        log = self.sim.thermo
+        self.assertEqual(list(log["Step"]), [0, 10, 20, 30, 35])
+        self.assertEqual(log.row()["a"], 35 / 3)  # all digits
+        self.assertEqual(log.row()[log.names[1]], self.sim.value("ke"))
+        self.sim.commands("run 5")  # the same table: its first row is there already
+        self.assertEqual(list(self.sim.thermo["Step"]), [0, 10, 20, 30, 35, 40])
+        self.sim.step(25)           # rows at the intervals alone
+        self.assertEqual(list(self.sim.thermo["Step"]), [0, 10, 20, 30, 35, 40, 50, 60])
+        self.sim.commands("thermo_style custom step atoms\nrun 0")
+        self.assertEqual(len(self.sim.thermo_tables), 2)
+        self.assertEqual(self.sim.thermo.row(0), {"Step": 65, self.sim.thermo.names[1]: 294})
+        with self.assertRaisesRegex(KeyError, "did you mean 'Step'"):
+            log["step"]
+        self.assertEqual(rows(log.array)[1][0], 10)
+        self.assertIn("<th>Step</th>", log._repr_html_())
+
+    def test_same_results_with_rows_told(self):
+        with tsim.Simulation() as other:
+            other.commands(PACKING)
+            tsim._lib.tsim_on_row(other._pointer, type(other._rows._call)(), None)
+            other.step(200)
+            self.sim.step(200)
+            self.assertEqual(len(other.thermo), 0)
+            self.assertEqual(rows(self.sim.gather("x")), rows(other.gather("x")))
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log, mean = os.path.join(folder, "log"), os.path.join(folder, "mean.txt")
+            self.sim.commands("log %s\nfix mean all ave/time 5 2 10 c_k file %s\nthermo 10\n"
+                              "run 20\nrun 20\nunfix mean\nlog none" % (log, mean))
+            tables = tsim.read_tables(log)
+            self.assertEqual([t.title for t in tables], ["run 1", "run 2"])
+            self.assertEqual(list(tsim.read_table(log)["Step"]), [0, 10, 20, 30, 40])
+            means = tsim.read_table(mean)
+            self.assertEqual(len(means), 4)
+            self.assertEqual(means.names[-1], "c_k")
+            with self.assertRaises(tsim.TsimError) as caught:
+                tsim.read_table(os.path.join(folder, "none"))
+            self.assertEqual(caught.exception.code, tsim.Status.IO)
+            with open(log, "w") as file:
+                file.write("no numbers here\n")
+            self.assertRaises(tsim.TsimError, tsim.read_tables, log)
+
+    def test_outputs(self):
+        self.sim.step(1500)
+        pairs = self.sim.table("c_pairs")
+        self.assertEqual(len(pairs), int(self.sim.compute("pairs")))
+        self.assertEqual(pairs.names[:3], ["i", "j", "overlap"])
+        self.assertEqual(list(pairs["overlap"]),
+                         [row[2] for row in self.sim.compute("pairs", "local")])
+        grains = self.sim.table("id", "radius", "x", "c_where[3]")
+        self.assertEqual(grains.names, ["id", "radius", "x", "y", "z", "c_where[3]"])
+        self.assertEqual(list(grains["id"]), sorted(self.sim.read("id")))
+        self.assertEqual(list(grains["c_where[3]"]), list(self.sim.gather("vz")))
+        touching = self.sim.table("c_pairs", shape="per_particle")
+        self.assertEqual(len(touching), len(self.sim))
+        self.assertEqual(self.sim.table("c_k").array[0][0], self.sim.compute("k"))
+        self.assertRaises(ValueError, self.sim.table, "c_pairs", shape="array")
+        self.assertRaises(ValueError, self.sim.table)
+        self.assertRaises(tsim.TsimError, self.sim.table, "c_nix")
+
+    def test_frames(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("without pandas")
+        if numpy is None:
+            self.skipTest("without NumPy")
+        self.sim.commands("thermo 10\nrun 20")
+        frame = self.sim.thermo.frame("Step")
+        self.assertIsInstance(frame, pandas.DataFrame)
+        self.assertEqual(list(frame.index), [0, 10, 20])
+        self.assertEqual(self.sim.table("id", "vz").frame().shape, (294, 2))
+
+
+class Pictures(Case):
+    def test_picture(self):
+        picture = self.sim.picture(size=(120, 90))
+        self.assertEqual(bytes(picture[:8]), b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(picture.size, (120, 90))
+        self.assertEqual(picture._repr_png_(), bytes(picture))
+        self.assertNotEqual(picture, self.sim.picture("vz", size=(120, 90)))
+        with tempfile.TemporaryDirectory() as folder:
+            picture.save(os.path.join(folder, "now.png"))
+            self.assertEqual(os.path.getsize(os.path.join(folder, "now.png")), len(picture))
+        self.assertRaises(tsim.TsimError, self.sim.picture, "colourful")
+
+    def test_what_notebooks_show(self):
+        self.assertIn("data:image/png;base64,", self.sim._repr_html_())
+        self.assertIn("gravity", self.sim._repr_html_())
+        self.assertEqual(repr(self.sim), "<tsim.Simulation: 294 particles, step 0, time 0>")
+        with tsim.Simulation() as empty:
+            self.assertEqual(empty._repr_html_(), "&lt;tsim.Simulation without a box&gt;")
+        self.assertIn("closed", repr(empty))
+
+    def test_results_are_the_same(self):
+        with tsim.Simulation() as other:
+            other.commands(PACKING)
+            other.step(100)
+            for _ in range(10):
+                self.sim.step(10)
+                self.sim._repr_html_()
+            self.assertEqual(rows(self.sim.gather("x")), rows(other.gather("x")))
+
+    def test_progress(self):
+        from tsim import _pictures
+        out, sys.stderr = sys.stderr, io.StringIO()
+        before = _pictures.Progress.PATIENCE
+        _pictures.Progress.PATIENCE = 0
+        try:
+            self.sim.step(3000, progress=True)
+            told = sys.stderr.getvalue()
+        finally:
+            sys.stderr, _pictures.Progress.PATIENCE = out, before
+        self.assertIn("33.3 %", told)
+        self.assertTrue(told.endswith("\r"))
+        self.assertFalse(_pictures.in_notebook())
+
+    def test_notebook(self):
+        try:
+            import IPython
+        except ImportError:
+            self.skipTest("without IPython")
+        from tsim import _pictures
+        shown = []
+
+        class Shell:
+            kernel = True
+
+        class Handle:
+            def update(self, what):
+                shown.append(what.data)
+
+        def display(what, display_id):
+            shown.append(what.data)
+            return Handle()
+        from IPython import display as module
+        saved = IPython.get_ipython, module.display, _pictures.Progress.PATIENCE
+        IPython.get_ipython, module.display, _pictures.Progress.PATIENCE = Shell, display, 0
+        try:
+            self.sim.step(2500)
+            with tsim.Simulation() as told:  # its output is listened to
+                told.commands(PACKING)
+                with told._progress():
+                    told._bar.line("25.0 %, step 5 of 20")
+        finally:
+            IPython.get_ipython, module.display, _pictures.Progress.PATIENCE = saved
+        self.assertIn('<progress value="0.4000" max="1"></progress> step 1000', shown)
+        self.assertIn('<progress value="0.2500" max="1"></progress> 25.0 %, step 5 of 20', shown)
+        self.assertEqual(shown[-1], "")
+
+
+class Lammps(Case):
+    """The names of LAMMPS and LIGGGHTS."""
+
+    def setUp(self):
+        self.sim = tsim.lammps(cmdargs=["-log", "none", "-screen", "none", "-var", "n", "3",
+                                        "-nocite"])
+        self.sim.commands_string(PACKING)
+
+    def test_scripts(self):
+        lmp = self.sim
+        self.assertEqual(lmp.extract_variable("n"), 3)
+        lmp.command("variable a equal 2*3")
+        lmp.commands_list(["variable b string text", "variable c atom x+1", "variable d vector [1,2,3]"])
+        self.assertEqual(lmp.extract_variable("a"), 6)
+        self.assertEqual(lmp.extract_variable("b"), "text")
+        self.assertEqual(list(lmp.extract_variable("d")), [1, 2, 3])
+        c = lmp.extract_variable("c", "all", tsim.LMP_VAR_ATOM)
+        self.assertEqual(list(c), [row[0] + 1 for row in lmp.read("x")])
+        lmp.set_group("few", [k < 3 for k in range(len(lmp))])
+        c = lmp.extract_variable("c", "few")
+        self.assertEqual([value != 0 for value in c], [k < 3 for k in range(len(lmp))])
+        self.assertRaises(tsim.TsimError, lmp.extract_variable, "nix")
+        lmp.set_variable("b", "other")
+        self.assertEqual(lmp.extract_variable("b"), "other")
+        lmp.set_internal_variable("third", 1 / 3)
+        self.assertEqual(lmp.eval("v_third"), 1 / 3)
+        with self.assertRaises(tsim.TsimError) as caught:
+            lmp.command("fix a all gravty 9.81")
+        self.assertEqual((caught.exception.file, caught.exception.line), ("command", 1))
+        lmp.cmd.run(10)
+        self.assertEqual(lmp.extract_global("ntimestep"), 10)
+        self.assertEqual(lmp.last_thermo()["Step"], 10)
+        self.assertEqual(lmp.get_thermo("ke"), lmp.value("ke"))
+        self.assertRaises(ValueError, tsim.lammps, cmdargs=["-nonsense"])
+        self.assertRaises(ValueError, tsim.lammps, comm=1)
+        self.assertRaises(RuntimeError, lmp.error, 0, "bad")
+        self.assertIsInstance(lmp.version(), int)
+        self.assertFalse(lmp.is_running())
+
+    def test_globals(self):
+        lmp = self.sim
+        self.assertEqual(lmp.get_natoms(), 294)
+        self.assertEqual(lmp.extract_global("natoms"), 294)
+        self.assertEqual(lmp.extract_global("boxxhi"), 0.385)
+        self.assertEqual(lmp.extract_global("boxhi"), [0.385, 0.4, 1.0])
+        self.assertEqual(lmp.extract_global("dt"), 2e-4)
+        self.assertEqual(lmp.extract_global_datatype("dt"), tsim.LAMMPS_DOUBLE)
+        self.assertEqual(lmp.extract_global_datatype("nix"), -1)
+        self.assertRaises(ValueError, lmp.extract_global, "nix")
+        self.assertEqual(lmp.extract_setting("ntypes"), 2)
+        self.assertEqual(lmp.extract_setting("world_size"), 1)
+        self.assertRaises(tsim.TsimError, lmp.extract_setting, "nix")
+        for name in ("xy", "nbonds", "nmax", "triclinic", "periodicity", "atime"):
+            lmp.extract_global(name)
+        self.assertEqual(lmp.extract_box(), [[0, 0, 0], [0.385, 0.4, 1.0], 0, 0, 0, [1, 0, 0], 0])
+        lmp.reset_box([0, 0, 0], [0.385, 0.5, 1.0])
+        self.assertEqual(lmp.box.hi, (0.385, 0.5, 1.0))
+        self.assertRaises(ValueError, lmp.reset_box, [0, 0, 0], [1, 1, 1], 0.1)
+
+    def test_atoms(self):
+        lmp = self.sim
+        lmp.command("run 50")
+        self.assertEqual(lmp.extract_atom("x").tolist(), lmp.view("x").tolist())
+        self.assertEqual(list(lmp.extract_atom("id")), list(lmp.tag))
+        self.assertEqual(list(lmp.extract_atom("rmass")), list(lmp.read("mass")))
+        self.assertEqual(lmp.extract_atom_datatype("x"), tsim.LAMMPS_DOUBLE_2D)
+        self.assertEqual(lmp.extract_atom_datatype("id"), tsim.LAMMPS_INT)
+        self.assertEqual(lmp.extract_atom_size("v", tsim.LMP_SIZE_COLS), 3)
+        with self.assertRaisesRegex(ValueError, "'mass' is not known.*rmass"):
+            lmp.extract_atom("mass")  # of types there
+        x = lmp.gather_atoms("x", 1, 3)
+        self.assertEqual(list(x), [value for row in lmp.gather("x", 1, 3).reshape(-1, 3)
+                                   for value in row] if numpy is not None else list(x))
+        self.assertEqual(list(x[3:6]), rows(tsim.Simulation.gather(lmp, "x", [2]))[0])
+        self.assertEqual(list(lmp.gather_atoms("id", 0, 1)), list(range(1, 295)))
+        self.assertEqual(list(lmp.gather_atoms_concat("id", 0, 1)), list(lmp.tag))
+        self.assertEqual(list(lmp.gather_atoms_subset("id", 0, 1, 2, [9, 4])), [9, 4])
+        self.assertRaises(ValueError, lmp.gather_atoms, "x", 1, 1)
+        self.assertRaises(ValueError, lmp.gather_atoms_subset, "x", 1, 3, 2, [1])
+        v = [0.125 * k for k in range(3 * 294)]
+        lmp.scatter_atoms("v", 1, 3, v)
+        self.assertEqual(list(lmp.gather_atoms("v", 1, 3)), v)
+        lmp.scatter_atoms_subset("v", 1, 3, 1, [5], [7, 8, 9])
+        self.assertEqual(list(lmp.gather_atoms_subset("v", 1, 3, 1, [5])), [7, 8, 9])
+        self.assertRaises(ValueError, lmp.scatter_atoms, "v", 1, 3, v[1:])
+        tags = list(lmp.tag)
+        self.assertEqual(lmp.map_atom(tags[17]), 17)
+        self.assertIsNone(lmp.map_atom(99999))
+        ids = list(lmp.gather("id", 0, 1))
+        where = lmp.gather("c_where", 1, 3)
+        self.assertEqual([where[3 * k] for k in range(3)], ids[:3])
+
+    def test_outputs(self):
+        lmp = self.sim
+        lmp.command("run 1500")
+        glob, atom, local = tsim.LMP_STYLE_GLOBAL, tsim.LMP_STYLE_ATOM, tsim.LMP_STYLE_LOCAL
+        scalar, vector, table = tsim.LMP_TYPE_SCALAR, tsim.LMP_TYPE_VECTOR, tsim.LMP_TYPE_ARRAY
+        self.assertEqual(lmp.extract_compute("k", glob, scalar), lmp.value("c_k"))
+        self.assertEqual(rows(lmp.numpy.extract_compute("where", atom, table)),
+                         rows(lmp.compute("where")))
+        pairs = lmp.extract_compute("pairs", local, table)
+        self.assertEqual(lmp.extract_compute("pairs", local, tsim.LMP_SIZE_ROWS), len(pairs))
+        self.assertEqual(lmp.extract_compute("pairs", local, tsim.LMP_SIZE_COLS), len(pairs[0]))
+        self.assertRaises(ValueError, lmp.extract_compute, "where", atom, vector)
+        self.assertRaises(ValueError, lmp.extract_compute, "where", 7, vector)
+        self.assertRaises(tsim.TsimError, lmp.extract_compute, "nix", glob, scalar)
+        trace = lmp.fix("trace")
+        self.assertEqual(lmp.extract_fix("trace", glob, vector, 3), trace[3])
+        self.assertEqual(lmp.numpy.extract_fix("trace", glob, vector, 0), trace[0])
+        self.assertTrue(lmp.has_id("fix", "trace"))
+        self.assertFalse(lmp.has_id("compute", "trace"))
+        self.assertIn("all", lmp.available_ids("group"))
+        self.assertTrue(lmp.has_style("fix", "gravity"))
+        self.assertFalse(lmp.has_style("fix", "gravty"))
+        self.assertRaises(ValueError, lmp.has_style, "fixes", "gravity")
+        for name in ("has_exceptions", "has_png_support", "has_gzip_support"):
+            self.assertTrue(getattr(lmp, name))
+        self.assertFalse(lmp.has_mpi_support)
+        self.assertIn("gsl", lmp.installed_packages)
+
+    def test_create(self):
+        lmp = self.sim
+        n = len(lmp)
+        self.assertEqual(lmp.create_atoms(2, None, [1, 2], [0.1, 0.1, 0.8, 0.2, 0.2, 0.8]), 2)
+        self.assertEqual(lmp.create_atoms(1, [n + 3], [1], [0.1, 0.2, 0.9], [1, 2, 3],
+                                          [lmp.encode_image_flags(1, 0, 0)]), 1)
+        self.assertEqual(list(lmp.gather_atoms_subset("v", 1, 3, 1, [n + 3])), [1, 2, 3])
+        self.assertEqual(list(lmp.gather_atoms_subset("image", 0, 3, 1, [n + 3])), [1, 0, 0])
+        self.assertRaises(ValueError, lmp.create_atoms, 1, [7], [1], [0.3, 0.1, 0.9])
+        self.assertEqual(len(lmp), n + 3)
+        self.assertEqual(lmp.decode_image_flags(lmp.encode_image_flags(-3, 4, 511)), [-3, 4, 511])
+        self.assertRaises(ValueError, lmp.encode_image_flags, 512, 0, 0)
+
+    def test_external_forces(self):
+        lmp = tsim.lammps(cmdargs=["-screen", "none"])
+        lmp.commands_string(SINGLE + "fix g all gravity 9.81 vector 0 0 -1")
+
+        def lift(mass, step, n, tag, x, f):
+            for k in range(n):
+                f[k][2] += 9.81 * mass
+        lmp.set_fix_external_callback("up", lift, lmp.read("mass")[0])
+        lmp.command("run 500")
+        self.assertAlmostEqual(lmp.value("z[1]"), 2.385, places=12)
+        lmp.set_fix_external_callback("up", None)
+        lmp.command("run 10")
+        self.assertLess(lmp.value("vz[1]"), -0.09)
+        lmp.close()
 
 
 if __name__ == "__main__":

@@ -11,7 +11,9 @@
 #      10    script/corpus.sh               script/mistakes.sh
 #       8    program/kill.sh                none: it waits for processes
 #       8    core/omissions.sh              neigh/check_order
-#       8    library/python.sh              library/check_library
+#      12    library/python.sh              library/check_library
+#      10    library/python_types.sh        library/check_library
+#       6    library/wheel.sh               library/check_library
 #       8    bench/race.sh                  contact/gran_laws.sh
 #       7    examples/benchmarks.sh         contact/impacts.sh
 #       7    library/check_library_steps    library/check_library
@@ -55,6 +57,8 @@ slow_tests = \
 	tests/coupling/momentum.sh \
 	tests/core/omissions.sh \
 	tests/library/python.sh \
+	tests/library/python_types.sh \
+	tests/library/wheel.sh \
 	tests/bench/race.sh \
 	tests/restart/restart.sh \
 	tests/restart/restart_every.sh \

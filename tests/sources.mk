@@ -157,6 +157,8 @@ shell_tests = \
 	tests/kinetic/granular_couette.sh \
 	tests/kinetic/granular_shear.sh \
 	tests/library/python.sh \
+	tests/library/python_types.sh \
+	tests/library/wheel.sh \
 	tests/limits/timestep.sh \
 	tests/limits/timestep_bonds.sh \
 	tests/load/mesh_servo.sh \

@@ -25,4 +25,9 @@ struct ts_recorder {
 	void (*release)(struct ts_recorder *self, struct tsim *sim);
 };
 
+/* A program around the library that is told each row of the log; call NULL: none. */
+struct ts_row_listener {
+	enum ts_status (*call)(struct tsim *sim);
+};
+
 #endif

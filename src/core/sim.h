@@ -224,8 +224,9 @@ struct tsim {
 	struct ts_library *library;   /* state of the C library; NULL without it */
 	struct ts_review review;      /* checks of the scene before a run */
 	struct ts_recorder *recorder; /* or NULL */
-	const char *settings;	      /* the last record of settings in the log; core/settings.h */
-	struct ts_words line;	      /* words of the command being executed */
+	struct ts_row_listener row_listener;
+	const char *settings; /* the last record of settings in the log; core/settings.h */
+	struct ts_words line; /* words of the command being executed */
 	const struct ts_script_api *script_api;
 	void *script_api_data;
 };

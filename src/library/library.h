@@ -4,6 +4,7 @@
 
 #include "core/sim.h"
 #include "core/stepping.h"
+#include "sheet/sheet.h"
 #include "tsim.h"
 
 struct ts_library_call {
@@ -24,6 +25,14 @@ struct ts_library {
 	struct ts_table table; /* the result of the last tsim_evaluate */
 	tsim_log_fn *on_log;
 	void *on_log_data;
+	struct ts_library_rows_told {
+		tsim_row_fn *fn;
+		void *data;
+		const char **name; /* of the present row */
+		double *value;
+		size_t capacity, name_capacity;
+	} row;
+	struct ts_sheets sheets; /* of the last tsim_tables */
 };
 
 /* Converts the status to the return value of a public function, and ensures that there is an error message. */

@@ -52,6 +52,9 @@ static void release_library(struct ts_library *library)
 	for (int stage = 0; stage < TSIM_STAGES; stage++)
 		ts_free(library->calls[stage].item);
 	ts_table_release(&library->table);
+	ts_sheets_release(&library->sheets);
+	ts_free(library->row.name);
+	ts_free(library->row.value);
 	ts_free(library);
 }
 

@@ -46,6 +46,12 @@ struct ts_setup {
 
 /* Reads the options into the setup and, if they are settings of the simulation, into sim. */
 int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char **argv);
+struct ts_program_option {
+	const char *name, *values, *help;
+	int least; /* smallest number of values */
+};
+/* Option k, from 0; NULL at the end. */
+const struct ts_program_option *ts_program_option(size_t k);
 /* Prints a line for each option. */
 void ts_program_list_options(void);
 /* Prints an error and a hint to standard error; returns TS_EXIT_USAGE. `format` has two %s. */
@@ -72,6 +78,9 @@ int ts_program_print(struct ts_str *text);
 /* -help, -grammar EDITOR, -doc DIRECTORY. */
 int ts_program_help(const struct ts_setup *setup);
 int ts_program_grammar(const char *editor);
+void ts_program_bash(struct ts_str *out);
+/* -version */
+int ts_program_version(void);
 int ts_program_manual(const char *directory);
 
 #endif

@@ -61,10 +61,7 @@ enum option_id {
 	NOPTIONS
 };
 
-static const struct {
-	const char *name, *values, *help;
-	int least; /* smallest number of values */
-} options[NOPTIONS] = {
+static const struct ts_program_option options[NOPTIONS] = {
 	[OPT_IN] = { "in", "FILE", "script to run; without it standard input is read", 1 },
 	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2 },
 	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1 },
@@ -124,8 +121,9 @@ static const struct {
 	[OPT_HELP] = { "help", "[WORDS]", "manual page, -help fix gravity, or search, -help angle of repose",
 		       0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
-	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
-	[OPT_VERSION] = { "version", "", "print the version", 0 },
+	[OPT_GRAMMAR] = { "grammar", "vim|vscode|bash",
+			  "print the colors for that editor, or the completion for bash", 1 },
+	[OPT_VERSION] = { "version", "", "print the version, what this build has, and its libraries", 0 },
 };
 
 int ts_program_usage_error(const char *format, const char *what, const char *more)
@@ -134,6 +132,11 @@ int ts_program_usage_error(const char *format, const char *what, const char *mor
 	fprintf(stderr, format, what, more);
 	fputs("\n'tsim -help' lists the options\n", stderr);
 	return TS_EXIT_USAGE;
+}
+
+const struct ts_program_option *ts_program_option(size_t k)
+{
+	return k < NOPTIONS ? &options[k] : NULL;
 }
 
 void ts_program_list_options(void)

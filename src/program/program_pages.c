@@ -13,6 +13,7 @@
 #include "manual/topics.h"
 #include "program/program.h"
 #include "study/study.h"
+#include "tsim.h"
 #include "view/view.h"
 
 #include "base/banned.h"
@@ -85,10 +86,22 @@ int ts_program_grammar(const char *editor)
 		ts_grammar_vim(&ts_tables, &text);
 	else if (ts_streq(editor, "vscode"))
 		ts_grammar_textmate(&ts_tables, &text);
+	else if (ts_streq(editor, "bash"))
+		ts_program_bash(&text);
 	else
-		return ts_program_usage_error("expected vim or vscode after -grammar, found '%s'%s", editor,
-					      "");
+		return ts_program_usage_error("expected vim, vscode or bash after -grammar, found '%s'%s",
+					      editor, "");
 	return ts_program_print(&text);
+}
+
+int ts_program_version(void)
+{
+	const char *name, *text;
+
+	printf("tsim %s\n", tsim_version());
+	for (size_t k = 0; (name = tsim_feature(k, &text)); k++)
+		printf("  %-10s %s\n", name, text);
+	return EXIT_SUCCESS;
 }
 
 static int write_page(const char *directory, const char *name, const struct ts_str *text)

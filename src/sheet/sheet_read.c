@@ -40,7 +40,8 @@ static enum ts_status look(struct ts_sheet_reader *r, struct beginning *b)
 					     "CSV files");
 		if (!b->lines)
 			b->log = ts_streq(l->word[0], "tsim") || ts_streq(l->word[0], "LAMMPS") ||
-				 ts_streq(l->word[0], "LIGGGHTS");
+				 ts_streq(l->word[0], "LIGGGHTS") ||
+				 (l->nwords > 1 && ts_streq(l->word[0], "Step")); /* of the command `log` */
 		b->words[b->lines] = l->nwords;
 		b->commas[b->lines] = count_commas(l);
 		b->row[b->lines++] = ts_sheet_is_row(l);

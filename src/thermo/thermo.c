@@ -244,6 +244,8 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 	}
 	if (sim->recorder)
 		sim->recorder->row(sim->recorder, sim);
+	if (sim->row_listener.call)
+		TS_TRY(sim->row_listener.call(sim));
 	return write_line(t, sim);
 }
 

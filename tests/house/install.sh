@@ -11,7 +11,7 @@ unset MAKEFLAGS MAKELEVEL MFLAGS
 ${MAKE:-make} -C "$top_builddir" install prefix="$root" >out 2>&1
 report 'make install' $? out
 for file in bin/tsim lib/libtsim.a lib/libtsim.so lib/libtsim.so.0 include/tsim.h lib/pkgconfig/tsim.pc \
-	share/man/man1/tsim.1 share/tsim/python/tsim.py share/tsim/potentials/sandstone.spring share/tsim/potentials/glass.material; do
+	share/man/man1/tsim.1 share/tsim/python/tsim/__init__.py share/bash-completion/completions/tsim share/tsim/potentials/sandstone.spring share/tsim/potentials/glass.material; do
 	[ -s "$root/$file" ]
 	report "$file is installed" $?
 done

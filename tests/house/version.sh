@@ -30,7 +30,7 @@ says "$top_srcdir/debian/changelog" '1s/^tsim (\(.*\)-[0-9]*) .*/\1/p'
 		ln -s "$top_builddir/$SHARED" libtsim.so.0 && LD_LIBRARY_PATH=. ./v
 )
 # nowhere else: a number like this one in the files of the build
-grep -lF "$version" "$top_srcdir"/{Makefile.am,setup,tests/Makefile.inc,src/Makefile.inc,src/tsim.pc.in,src/tsim.h,python/tsim.py} >found
+grep -lF "$version" "$top_srcdir"/{Makefile.am,setup,tests/Makefile.inc,src/Makefile.inc,src/tsim.pc.in,src/tsim.h,setup.py,pyproject.toml,python/tsim/__init__.py} >found
 [ ! -s found ]
 report 'derived from configure.ac' $? found
 finish

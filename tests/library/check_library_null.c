@@ -33,6 +33,19 @@ static int told(const char *what)
 	return what != NULL;
 }
 
+static const double *values;
+static const char *const table_file = "check_library_null.csv";
+
+static const char *write_table(void)
+{
+	FILE *file = fopen(table_file, "w");
+
+	ck_assert_ptr_nonnull(file);
+	fputs("a,b\n1,2\n", file);
+	fclose(file);
+	return table_file;
+}
+
 /* What a call returns is the status of functions that have one; of others 0. */
 #define VOID(call) ((call), 0)
 #define ROWS                                                                                                \
@@ -89,6 +102,13 @@ static int told(const char *what)
 	ROW(tsim_setting, 7, tsim_setting(S, P(1, "dt"), P(2, number)))                                     \
 	ROW(tsim_setting_name, 0, VOID(tsim_setting_name(0, P(1, &name))))                                  \
 	ROW(tsim_live, 0, VOID(tsim_live(S, P(1, "compute"), 0, P(2, &name))))                              \
+	ROW(tsim_on_row, 0, VOID(tsim_on_row(S, NULL, NULL)))                                               \
+	ROW(tsim_tables, 7, tsim_tables(S, P(1, write_table()), P(2, &size)))                               \
+	ROW(tsim_table, 3, (tsim_tables(sim, write_table(), &size), tsim_table(S, 0, P(1, &sheet))))        \
+	ROW(tsim_table_column, 1,                                                                           \
+	    (tsim_tables(sim, write_table(), &size),                                                        \
+	     tsim_table_column(S, 0, 1, P(1, &name), P(2, &values))))                                       \
+	ROW(tsim_feature, 0, VOID(tsim_feature(0, P(1, &name))))                                            \
 	ROW(tsim_version, 0, VOID(tsim_version()))                                                          \
 	ROW(tsim_kind, 0, VOID(tsim_kind(0)))                                                               \
 	ROW(tsim_style, 0, VOID(told(tsim_style(P(1, "fix"), 0, P(2, &name)))))                             \
@@ -133,6 +153,7 @@ static int call(enum function function)
 	struct tsim_particles particles = { .size = sizeof particles, .n = 1, .x = places };
 	struct tsim_box box = { .size = sizeof box };
 	struct tsim_argument argument = { .size = sizeof argument };
+	struct tsim_sheet sheet = { .size = sizeof sheet };
 	struct tsim *opened = NULL;
 	FILE *empty = fopen("/dev/null", "r");
 	int status = -1;
@@ -146,6 +167,7 @@ static int call(enum function function)
 #undef ROW
 			case NFUNCTIONS : break;
 	}
+	remove(table_file);
 	fclose(empty);
 	tsim_close(opened);
 	return status;

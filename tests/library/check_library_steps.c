@@ -341,6 +341,81 @@ START_TEST(two_at_once)
 }
 END_TEST
 
+struct rows {
+	int n;
+	int64_t step;
+	double last[3];
+	int64_t stop;
+};
+
+static int count_rows(void *data, const struct tsim_row *row)
+{
+	struct rows *rows = data;
+
+	ck_assert_uint_eq(row->columns, 3);
+	ck_assert_str_eq(row->names[0], "Step");
+	ck_assert_str_eq(row->names[2], "third");
+	memcpy(rows->last, row->values, sizeof rows->last);
+	rows->step = row->step;
+	rows->n++;
+	return row->step == rows->stop ? 7 : 0;
+}
+
+/* Each row of the log, with all digits; results do not depend on it; a code of its own ends the run. */
+START_TEST(rows_are_told)
+{
+	struct rows rows = { .stop = 90 };
+	struct tsim *other = deck_open("%s", packing);
+
+	deck(sim, "variable third equal step/3\nthermo_style custom step ke v_third\nthermo 10\n");
+	tsim_on_row(sim, count_rows, &rows);
+	deck(sim, "run 25\n");
+	ck_assert(rows.n == 4 && rows.step == 25);
+	DECK_NEAR(rows.last[2], 25.0 / 3, 0);
+	DECK_NEAR(rows.last[1], deck_value(sim, "ke"), 0);
+	ck_assert_int_eq(tsim_step(sim, 35), 0);
+	ck_assert_int_eq(rows.step, 60);
+	deck(other, "run 60\n");
+	packing_same(sim, other);
+	tsim_close(other);
+	ck_assert_int_eq(tsim_text(sim, "run 100", "rows"), TSIM_STOPPED);
+	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "ended the run at step 90 with code 7"));
+	tsim_error_clear(sim);
+	tsim_on_row(sim, NULL, NULL);
+	deck(sim, "run 10\n");
+	ck_assert_int_eq(rows.step, 90);
+}
+END_TEST
+
+START_TEST(tables_are_read)
+{
+	static const char *const path = "check_library_steps.csv";
+	struct tsim_sheet sheet = TSIM_INIT(struct tsim_sheet);
+	FILE *file = fopen(path, "w");
+	const double *values;
+	const char *name;
+	size_t n;
+
+	fputs("depth,rate of wear\n1,2.385\n2,\n", file);
+	fclose(file);
+	ck_assert_msg(tsim_tables(sim, path, &n) == 0, "%s", tsim_error(sim));
+	remove(path);
+	ck_assert_uint_eq(n, 1);
+	ck_assert_int_eq(tsim_table(sim, 0, &sheet), 0);
+	ck_assert(sheet.rows == 2 && sheet.columns == 2 && !*sheet.title);
+	ck_assert_int_eq(tsim_table_column(sim, 0, 1, &name, &values), 0);
+	ck_assert_str_eq(name, "rate of wear");
+	DECK_NEAR(values[0], 2.385, 0);
+	ck_assert(values[1] != values[1]);
+	ck_assert_int_eq(tsim_table_column(sim, 0, 2, &name, &values), TSIM_UNKNOWN);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_table(sim, 1, &sheet), TSIM_UNKNOWN);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_tables(sim, "no such file", &n), TSIM_IO);
+	ck_assert_uint_eq(n, 0);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("library steps");
@@ -350,6 +425,8 @@ int main(void)
 	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, pieces_are_one_run);
 	tcase_add_test(tests, pieces_are_cheap);
+	tcase_add_test(tests, rows_are_told);
+	tcase_add_test(tests, tables_are_read);
 	tcase_add_test(tests, a_change_between_pieces_is_seen);
 	tcase_add_test(tests, forces_from_outside);
 	tcase_add_test(tests, a_function_ends_the_run);

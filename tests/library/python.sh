@@ -1,6 +1,6 @@
 #!/bin/bash
 # The Python module, with NumPy (Debian's python3-numpy) and without; its manual, whose examples are
-# run; its example.
+# run; its example and its notebook.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 [ -n "$SHARED" ] || { echo 'skipped: built without the shared library'; exit 77; }
@@ -35,6 +35,9 @@ if python_with numpy python3-numpy; then
 	tested 'with NumPy' "$python" "$top_srcdir/tests/python_test.py"
 	"$python" -m doctest "$top_srcdir/doc/python.md" >out 2>&1
 	report 'the examples of doc/python.md' $? out
+fi
+if python_with 'numpy, pandas' 'python3-numpy python3-pandas'; then
+	tested 'the notebook' "$python" "$top_srcdir/tests/run_notebook.py" "$top_srcdir/examples/library/tutorial.ipynb"
 fi
 "$python" "$top_srcdir/examples/library/bounce.py" >out 2>&1
 report 'examples/library/bounce.py' $? out

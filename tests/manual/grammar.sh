@@ -7,7 +7,7 @@ top_srcdir=$(cd "$OLDPWD" && cd "$top_srcdir" && pwd)
 "$TSIM" -grammar vim >tsim.vim
 "$TSIM" -grammar vscode >tsim.json
 "$TSIM" -grammar emacs >out 2>err
-[ $? = 2 ] && shows "expected vim or vscode after -grammar, found 'emacs'" err
+[ $? = 2 ] && shows "expected vim, vscode or bash after -grammar, found 'emacs'" err
 report 'another editor' $? err
 
 cat >in.scene <<'END'
@@ -63,6 +63,27 @@ END
 END
 	same 'vim marks an example' expected groups
 fi
+
+"$TSIM" -grammar bash >complete
+# completes WORDS EXPECTED: what bash offers for the last of the words
+completes() {
+	bash -c '. ./complete
+		read -ra COMP_WORDS <<<"$1"
+		[ "${1: -1}" = " " ] && COMP_WORDS+=("")
+		COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+		_tsim
+		printf "%s\n" "${COMPREPLY[@]}"' bash "$1" >out 2>&1
+	grep -qxF -- "$2" out
+	report "bash completes '$1'" $? out
+}
+touch in.scene
+completes 'tsim -cross' '-crosscheck'
+completes 'tsim -echo ' 'screen'
+completes 'tsim -help grav' 'gravity'
+completes 'tsim -help fix wall/' 'wall/gran'
+completes 'tsim -help pair ' 'gran'
+completes 'tsim -in in.sc' 'in.scene'
+completes 'tsim -log x -in ./in.sc' './in.scene'
 
 if has python3; then
 	python3 - "$top_srcdir/editors/vscode" tsim.json >out 2>&1 <<'END'

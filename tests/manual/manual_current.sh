@@ -16,4 +16,5 @@ while read -r editor file; do
 done <<END
 vim editors/vim/syntax/tsim.vim
 vscode editors/vscode/syntaxes/tsim.tmLanguage.json
+bash editors/bash/tsim
 END
