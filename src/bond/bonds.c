@@ -126,49 +126,71 @@ static int compare_tags(const int32_t a[2], const int32_t b[2])
 	return (a[1] > b[1]) - (a[1] < b[1]);
 }
 
-struct record {
-	int32_t tag[2], type;
-	double rest;
-	struct ts_bond_reference reference;
-	struct ts_bond_load load;
-	struct ts_bond_damage damage;
+/* The bond that comes next. */
+struct place {
+	int32_t tag[2];
+	uint32_t from;
 };
 
-static int compare_records(const void *a, const void *b)
+static int compare_places(const void *a, const void *b)
 {
-	return compare_tags(((const struct record *)a)->tag, ((const struct record *)b)->tag);
+	const struct place *p = a, *q = b;
+	int c = compare_tags(p->tag, q->tag);
+
+	return c ? c : (p->from > q->from) - (p->from < q->from);
+}
+
+/* Sorts a column, whose elements have `size` bytes. */
+static void reorder(void *column, size_t size, const struct place *order, size_t n, char *room)
+{
+	for (size_t k = 0; k < n; k++)
+		memcpy(room + k * size, (char *)column + order[k].from * size, size);
+	memcpy(column, room, n * size);
+}
+
+static bool is_sorted(const struct ts_bonds *b)
+{
+	for (size_t k = 1; k < b->n; k++)
+		if (compare_tags(b->tag[k - 1], b->tag[k]) > 0)
+			return false;
+	return true;
 }
 
 void ts_bonds_sort(struct ts_bonds *b)
 {
-	struct record *r = ts_alloc(b->n, sizeof *r);
+	const struct {
+		void *column;
+		size_t size;
+		bool there;
+	} part[] = {
+		{ b->tag, sizeof *b->tag, true },
+		{ b->type, sizeof *b->type, true },
+		{ b->rest, sizeof *b->rest, true },
+		{ b->reference, sizeof *b->reference, b->transmits },
+		{ b->load, sizeof *b->load, b->transmits },
+		{ b->damage, sizeof *b->damage, b->softens },
+	};
+	size_t widest = 0;
+	struct place *order;
+	char *room;
 
-	if (!r) /* the order only matters for the speed of look-up and for reproducible lists */
+	if (is_sorted(b))
 		return;
-	for (size_t k = 0; k < b->n; k++) {
-		r[k] = (struct record){ .tag = { b->tag[k][0], b->tag[k][1] },
-					.type = b->type[k],
-					.rest = b->rest[k] };
-		if (b->transmits) {
-			r[k].reference = b->reference[k];
-			r[k].load = b->load[k];
-		}
-		if (b->softens)
-			r[k].damage = b->damage[k];
+	for (size_t k = 0; k < sizeof part / sizeof *part; k++)
+		if (part[k].there && part[k].size > widest)
+			widest = part[k].size;
+	order = ts_alloc(b->n, sizeof *order);
+	room = ts_alloc(b->n, widest);
+	for (size_t k = 0; order && k < b->n; k++)
+		order[k] = (struct place){ { b->tag[k][0], b->tag[k][1] }, (uint32_t)k };
+	if (order && room) { /* the order only matters for the speed of look-up and for reproducible lists */
+		ts_sort(order, b->n, sizeof *order, compare_places);
+		for (size_t k = 0; k < sizeof part / sizeof *part; k++)
+			if (part[k].there)
+				reorder(part[k].column, part[k].size, order, b->n, room);
 	}
-	ts_sort(r, b->n, sizeof *r, compare_records);
-	for (size_t k = 0; k < b->n; k++) {
-		memcpy(b->tag[k], r[k].tag, sizeof b->tag[k]);
-		b->type[k] = r[k].type;
-		b->rest[k] = r[k].rest;
-		if (b->transmits) {
-			b->reference[k] = r[k].reference;
-			b->load[k] = r[k].load;
-		}
-		if (b->softens)
-			b->damage[k] = r[k].damage;
-	}
-	ts_free(r);
+	ts_free(order);
+	ts_free(room);
 }
 
 bool ts_bonds_has(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)

@@ -143,11 +143,30 @@ static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list
 	return TS_OK;
 }
 
+/* What belongs to the pairs of the old list: the next choice of active pairs allocates it anew. */
+static void forget_active_pairs(struct ts_contact_list *list)
+{
+	list->active_chosen = false;
+#define FORGET(array)                       \
+	do {                                \
+		ts_free(list->array);       \
+		list->array = NULL;         \
+		list->array##_capacity = 0; \
+	} while (0)
+	FORGET(active);
+	FORGET(memory);
+	FORGET(sum);
+	ts_free(list->spare);
+	list->spare = NULL;
+#undef FORGET
+}
+
 static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list *list,
 				       struct ts_contact_search *found, struct ts_contact_history *old)
 {
 	size_t all = sim->particles->n + sim->particles->nghost;
 	struct fill_task task = { list, found };
+	bool coincide;
 
 	if (!sim->run.resuming)
 		ts_force_slots_forget(list);
@@ -156,6 +175,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	else
 		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));
 	ts_force_slots_forget(list);
+	forget_active_pairs(list);
 	TS_TRY(ts_contact_search(sim, found));
 	if (note_particles(sim, list) != TS_OK || reserve_pairs(list, found->n) != TS_OK ||
 	    TS_RENEW_UNSET(list->sphere, list->sphere_capacity, all) != TS_OK ||
@@ -171,7 +191,9 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	if (all) /* so that the first displacements are computed from defined numbers */
 		memset(list->sphere, 0, all * sizeof *list->sphere);
 	ts_parallel(found->shares, (size_t)found->shares, write_shares, &task);
-	if (found->coincide && !list->both_frozen)
+	coincide = found->coincide;
+	ts_contact_search_release(found);
+	if (coincide && !list->both_frozen)
 		TS_TRY(ts_coincide_check_pairs(sim, list));
 	TS_TRY(index_by_particle(sim, list));
 	if (sim->run.resuming) /* outputs may read forces before they are computed */

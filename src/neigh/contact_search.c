@@ -217,5 +217,7 @@ void ts_contact_search_release(struct ts_contact_search *s)
 	}
 	ts_free(s->share);
 	ts_free(s->count);
+	s->share = NULL;
+	s->count = NULL;
 	ts_cells_release(&s->cells);
 }
