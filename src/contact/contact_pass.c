@@ -75,7 +75,7 @@ enum ts_status ts_contacts_compute(struct tsim *sim, const struct ts_contacts_pa
 	if (list->chunks)
 		memset(list->chunk_summed, 0, list->chunks);
 	ts_parallel(list->shares, (size_t)list->shares, compute_shares, &w);
-	ts_parallel(ts_team(sim, list->n), list->chunks, sum_remaining_share, &w);
+	ts_parallel(ts_team(sim, 4 * list->n), list->chunks, sum_remaining_share, &w);
 	return TS_OK;
 }
 

@@ -83,7 +83,8 @@ static void set_defaults(struct tsim *sim)
 	sim->reading.planned = sim->reading.open_clock = sim->has_box = sim->run.box_moves = false;
 	sim->groups = (struct ts_groups){ .name = { "all" } };
 	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
-	sim->run.inside = sim->run.rebuild = sim->run.relist = sim->run.in_setup = sim->run.resuming = sim->run.halted = false;
+	sim->run.inside = sim->run.rebuild = sim->run.relist = sim->run.in_setup = sim->run.resuming =
+		sim->run.halted = false;
 	if (sim->threads == 0)
 		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n : 1;
 	ts_review_set(sim, NULL, TS_REVIEW_WARN);

@@ -8,24 +8,31 @@
 
 enum { TS_MAX_LEVELS = 16 };
 
+/* The search reads this number of entries at a time. */
+enum { TS_CELLS_VECTOR = 4 };
+
 struct ts_level {
 	double reach;		  /* largest radius on this level, length */
 	double lo[3], inverse[3]; /* index of the cell in a dimension: (x - lo) * inverse */
 	int cells[3];
-	/* Particles of cell c: list[start[c]] .. list[start[c+1]-1]. Three entries beyond the last one are
-	 * allocated, as the search reads four at a time. */
+	size_t ncells, first; /* number of cells; number of those of the levels before */
+	/* Particles of cell c: list[start[c]] .. list[start[c+1]-1], in the order of their indices. TS_CELLS_VECTOR
+	 * - 1 entries beyond the last one can be read. */
 	int32_t *start;
 	long long *list;
 	double *position[4]; /* by entry of the list: x, y, z (xhold) and radius */
 	size_t start_capacity, list_capacity, position_capacity[4];
 };
 
+/* Memory may be used for one search after the other; zero-initialise, and release at last. */
 struct ts_cells {
 	int nlevels;
 	struct ts_level level[TS_MAX_LEVELS]; /* from large to small particles */
 	uint8_t *level_of;
 	int32_t *cell_of;
-	size_t capacity, cell_capacity;
+	int32_t *
+		place; /* by share (thread) and cell: number of its particles, then where the next one is listed */
+	size_t capacity, cell_capacity, place_capacity;
 };
 
 /* Sorts all particles, ghosts included, into cells by their positions at the last rebuild (xhold). */

@@ -61,33 +61,92 @@ static bool is_saved(const struct ts_contact_list *list, size_t r, bool memories
 	return is;
 }
 
+/* Saving by shares of the list, in its order. */
+struct saving {
+	const struct ts_contact_list *list;
+	struct ts_contact_history *h;
+	bool forces, memories;
+	size_t shares, *first; /* by share: number of its contacts, then of those of the shares before */
+};
+
+static void count_shares(void *context, size_t from, size_t to)
+{
+	const struct saving *s = context;
+
+	for (size_t t = from; t < to; t++) {
+		size_t n = 0;
+
+		for (size_t r = s->list->n * t / s->shares; r < s->list->n * (t + 1) / s->shares; r++)
+			n += is_saved(s->list, r, s->memories);
+		s->first[t] = n;
+	}
+}
+
+static void save_shares(void *context, size_t from, size_t to)
+{
+	const struct saving *s = context;
+	const struct ts_contact_list *list = s->list;
+	const size_t width = s->h->width;
+
+	for (size_t t = from; t < to; t++) {
+		size_t n = s->first[t];
+
+		for (size_t r = list->n * t / s->shares; r < list->n * (t + 1) / s->shares; r++) {
+			bool swapped;
+
+			if (!is_saved(list, r, s->memories))
+				continue;
+			s->h->key[n] = make_key(list, r, &swapped);
+			if (s->forces)
+				copy_force(s->h->force[n], ts_contact_force(list, r), swapped);
+			copy_signed(s->h->value + n * width, list->history + r * width, width,
+				    list->history_sign, swapped);
+			n++;
+		}
+	}
+}
+
+/* `forces`: room for them is made even if they are 0. */
+static enum ts_status save_shares_of(struct tsim *sim, struct saving *s, bool forces)
+{
+	size_t n = 0;
+
+	ts_parallel((int)s->shares, s->shares, count_shares, s);
+	for (size_t t = 0; t < s->shares; t++) {
+		size_t some = s->first[t];
+
+		s->first[t] = n;
+		n += some;
+	}
+	if (!n)
+		return TS_OK;
+	TS_TRY(allocate_history(sim, s->h, n, forces));
+	s->h->n = n;
+	ts_parallel((int)s->shares, s->shares, save_shares, s);
+	return TS_OK;
+}
+
 static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				    bool memories, struct ts_contact_history *h)
 {
-	bool kept = list->results == TS_RESULTS_KEPT; /* not so after a step that failed: then forces are 0 */
-	size_t n = 0;
+	/* the results are not kept after a step that failed: then forces are 0 */
+	struct saving s = { .list = list,
+			    .h = h,
+			    .forces = forces && list->results == TS_RESULTS_KEPT,
+			    .memories = memories,
+			    .shares = (size_t)ts_team(sim, 4 * list->n) };
+	enum ts_status status;
 
 	*h = (struct ts_contact_history){ .width = list->history_width, .overlapping = memories };
 	ts_contacts_store_history(sim, list);
-	for (size_t r = 0; (h->width || forces) && r < list->n; r++)
-		n += is_saved(list, r, memories);
-	if (!n)
+	if (!list->n || !(h->width || forces))
 		return TS_OK;
-	TS_TRY(allocate_history(sim, h, n, forces));
-	for (size_t r = 0; r < list->n; r++) {
-		bool swapped;
-
-		if (!is_saved(list, r, memories))
-			continue;
-		h->key[h->n] = make_key(list, r, &swapped);
-		if (forces && kept)
-			copy_force(h->force[h->n], ts_contact_force(list, r), swapped);
-		if (h->width)
-			copy_signed(h->value + h->n * h->width, list->history + r * h->width, h->width,
-				    list->history_sign, swapped);
-		h->n++;
-	}
-	return TS_OK;
+	s.first = ts_alloc(s.shares, sizeof *s.first);
+	if (!s.first)
+		return ts_nomem(&sim->error);
+	status = save_shares_of(sim, &s, forces);
+	ts_free(s.first);
+	return status;
 }
 
 enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list *list, bool forces,
@@ -129,23 +188,44 @@ struct restoring {
 	} * link; /* by key */
 };
 
+struct chaining {
+	struct restoring *g;
+	struct ts_identities map;
+	int team; /* number of threads */
+};
+
+/* The order of the keys of a particle depends on the threads, but is of no effect: at most one is the key of a pair. */
+static void chain_share(void *context, size_t from, size_t to)
+{
+	const struct chaining *c = context;
+	struct restoring *g = c->g;
+
+	for (size_t k = from; k < to; k++) {
+		int32_t at = ts_identity_row(&c->map, g->h->key[k].tag[0]);
+
+		if (at < 0) /* the particle has left */
+			continue;
+		g->link[k].larger = g->h->key[k].tag[1];
+		if (c->team > 1) {
+			g->link[k].next =
+				__atomic_exchange_n(&g->first[at], (int32_t)k + 1, __ATOMIC_RELAXED);
+		} else { /* a third of the time */
+			g->link[k].next = g->first[at];
+			g->first[at] = (int32_t)k + 1;
+		}
+	}
+}
+
 static enum ts_status chain_keys_by_particle(struct tsim *sim, struct restoring *g)
 {
-	struct ts_identities map;
+	struct chaining c = { .g = g, .team = ts_team(sim, 4 * g->h->n) };
 
-	TS_TRY(ts_identities(sim, false, &map));
+	TS_TRY(ts_identities(sim, false, &c.map));
 	g->first = ts_alloc(g->p->n, sizeof *g->first);
 	g->link = ts_alloc(g->h->n, sizeof *g->link);
 	if (!g->first || !g->link)
 		return ts_nomem(&sim->error);
-	for (size_t k = g->h->n; k-- > 0;) {
-		int32_t at = ts_identity_row(&map, g->h->key[k].tag[0]);
-
-		if (at < 0) /* the particle has left */
-			continue;
-		g->link[k] = (struct link){ g->h->key[k].tag[1], g->first[at] };
-		g->first[at] = (int32_t)k + 1;
-	}
+	ts_parallel(c.team, g->h->n, chain_share, &c);
 	return TS_OK;
 }
 
@@ -229,7 +309,7 @@ enum ts_status ts_contact_history_restore(struct tsim *sim, const struct ts_cont
 		TS_TRY(ts_force_slots_keep_all(sim, list));
 	status = chain_keys_by_particle(sim, &g);
 	if (status == TS_OK)
-		ts_parallel(ts_team(sim, list->n), list->n, restore_share, &g);
+		ts_parallel(ts_team(sim, 4 * list->n), list->n, restore_share, &g);
 	ts_free(g.first);
 	ts_free(g.link);
 	return status;

@@ -27,22 +27,37 @@ static int32_t turns_of(const struct ts_particles *p, const struct ts_shear *she
 	return ts_winding(turns);
 }
 
-/* Notes identities and images of all particles. */
-static enum ts_status note_particles(struct tsim *sim, struct ts_contact_list *list)
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_shear *shear = &sim->domain->box.shear;
-	size_t n = p->n + p->nghost;
+struct note_task {
+	const struct tsim *sim;
+	struct ts_contact_list *list;
+};
 
-	TS_TRY(TS_RENEW_UNSET(list->tag, list->tag_capacity, n));
-	TS_TRY(TS_RENEW_UNSET(list->turns, list->turns_capacity, n));
-	TS_TRY(TS_RENEW_UNSET(list->image, list->image_capacity, p->nghost));
-	for (size_t i = 0; i < n; i++) {
+static void note_share(void *context, size_t from, size_t to)
+{
+	const struct note_task *t = context;
+	const struct ts_particles *p = t->sim->particles;
+	const struct ts_shear *shear = &t->sim->domain->box.shear;
+	struct ts_contact_list *list = t->list;
+
+	for (size_t i = from; i < to; i++) {
 		list->tag[i] = p->tag[i];
 		list->turns[i] = turns_of(p, shear, i);
 		if (i >= p->n)
 			list->image[i - p->n] = ts_contact_image_of(p, i);
 	}
+}
+
+/* Notes identities and images of all particles. */
+static enum ts_status note_particles(struct tsim *sim, struct ts_contact_list *list)
+{
+	const struct ts_particles *p = sim->particles;
+	struct note_task task = { sim, list };
+	size_t n = p->n + p->nghost;
+
+	TS_TRY(TS_RENEW_UNSET(list->tag, list->tag_capacity, n));
+	TS_TRY(TS_RENEW_UNSET(list->turns, list->turns_capacity, n));
+	TS_TRY(TS_RENEW_UNSET(list->image, list->image_capacity, p->nghost));
+	ts_parallel(ts_team(sim, 2 * n), n, note_share, &task);
 	return TS_OK;
 }
 
@@ -128,18 +143,26 @@ static void order_images(const struct ts_contact_list *list, size_t from, size_t
 	}
 }
 
+static void order_images_share(void *context, size_t from, size_t to)
+{
+	const struct ts_contact_list *list = context;
+	const struct ts_gather *g = &list->gather;
+
+	for (size_t i = from; i < to; i++)
+		order_images(list, g->first[i], g->first[i + 1]);
+}
+
 static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list *list)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_gather *g = &list->gather;
 	struct ts_gather_pairs pairs = {
 		.n = list->n, .stride = 1, .end = { list->i, list->j }, .tag_of = list->tag
 	};
 
 	if (ts_gather_index(sim, &list->gather, &pairs) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t i = 0; p->nghost && i < p->n; i++)
-		order_images(list, g->first[i], g->first[i + 1]);
+	if (p->nghost)
+		ts_parallel(ts_team(sim, 4 * list->n), p->n, order_images_share, list);
 	return TS_OK;
 }
 
@@ -204,15 +227,25 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *list, double skin,
 				     ts_excluded_fn *excluded)
 {
-	struct ts_contact_search found = {
-		.skin = skin, .both_frozen = list->both_frozen, .excluded = excluded, .expected = list->n
-	};
 	struct ts_contact_history old = { 0 };
-	enum ts_status status = search_and_build(sim, list, &found, &old);
+	enum ts_status status;
 
+	if (!list->search)
+		list->search = ts_alloc(1, sizeof *list->search);
+	if (!list->search)
+		return ts_nomem(&sim->error);
+	list->search->skin = skin;
+	list->search->both_frozen = list->both_frozen;
+	list->search->excluded = excluded;
+	status = search_and_build(sim, list, list->search, &old);
 	ts_contact_history_release(&old);
-	ts_contact_search_release(&found);
 	return status;
+}
+
+void ts_contact_list_forget_search(struct ts_contact_list *list)
+{
+	if (list->search)
+		ts_contact_search_release(list->search);
 }
 
 void ts_contact_list_set_torques(struct ts_contact_list *list, bool turn, bool roll)
@@ -305,6 +338,8 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->sums);
 	ts_free(list->chunk);
 	ts_free(list->chunk_summed);
+	ts_contact_list_forget_search(list);
+	ts_free(list->search);
 	ts_gather_release(&list->gather);
 	*list = (struct ts_contact_list){ 0 };
 }

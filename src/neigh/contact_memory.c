@@ -24,7 +24,7 @@ static void for_each_block(const struct tsim *sim, const struct ts_contact_list 
 {
 	struct block_task task = { list, function };
 
-	ts_parallel(ts_team(sim, list->n), (size_t)list->shares, run_share, &task);
+	ts_parallel(ts_team(sim, 4 * list->n), (size_t)list->shares, run_share, &task);
 }
 
 static void store_block(const struct ts_contact_list *list, const struct ts_active_block *block)

@@ -34,7 +34,7 @@ struct query {
 };
 
 /* Writes those of the list entries from .. to-1 that are within the radii plus the skin; returns their
- * number. Without branches, since most are not near. `out` must have room for three more. */
+ * number. Without branches, since most are not near. `out` must have room for TS_CELLS_VECTOR - 1 more. */
 TS_INLINE size_t find_partners_in_cells(const struct ts_level *level, int32_t from, int32_t to,
 					const struct query *w, int32_t *out)
 {
@@ -46,13 +46,13 @@ TS_INLINE size_t find_partners_in_cells(const struct ts_level *level, int32_t fr
 	ts_four_marks same = { 0 };
 	size_t n = 0;
 
-	for (int32_t k = from; k < to; k += 4) {
+	for (int32_t k = from; k < to; k += TS_CELLS_VECTOR) {
 		const long long rest = to - k;
 		const ts_four_marks left = { rest, rest, rest, rest };
 		ts_four reach = radius + TS_FOUR_LOAD(level->position[3] + k) + skin, square = { 0 };
 		union {
 			ts_four_marks all;
-			long long one[4];
+			long long one[TS_CELLS_VECTOR];
 		} hit;
 
 		for (int c = 0; c < 3; c++) {
@@ -63,7 +63,7 @@ TS_INLINE size_t find_partners_in_cells(const struct ts_level *level, int32_t fr
 		hit.all = (square < reach * reach) &
 			  (*(const ts_four_marks_anywhere *)(level->list + k) > bound) & (next < left);
 		same |= hit.all & (square <= close);
-		for (int q = 0; q < 4; q++) {
+		for (int q = 0; q < TS_CELLS_VECTOR; q++) {
 			out[n] = (int32_t)level->list[k + q];
 			n -= (size_t)hit.one[q];
 		}
@@ -90,7 +90,7 @@ TS_CLONES static void search_level(const struct ts_contact_search *s, int l, siz
 			/* cells adjacent in x are adjacent in the list, too */
 			int row = level->cells[0] * (y + level->cells[1] * z);
 			int32_t from = level->start[row + lo[0]], to = level->start[row + hi[0] + 1];
-			size_t most = f->n + (size_t)(to - from) + 3;
+			size_t most = f->n + (size_t)(to - from) + TS_CELLS_VECTOR - 1;
 
 			if (most > f->capacity && TS_GROW(f->partner, f->capacity, most) != TS_OK) {
 				f->status = TS_NOMEM;
@@ -99,7 +99,8 @@ TS_CLONES static void search_level(const struct ts_contact_search *s, int l, siz
 			f->n += find_partners_in_cells(level, from, to, &w, f->partner + f->n);
 		}
 	}
-	f->coincide |= (same[0] | same[1] | same[2] | same[3]) != 0;
+	for (int q = 0; q < TS_CELLS_VECTOR; q++)
+		f->coincide |= same[q] != 0;
 }
 
 /* Leaves out excluded pairs, and pairs of two immobile particles (or keeps only these, if both_frozen). */
@@ -174,10 +175,13 @@ static enum ts_status search_all_shares(struct tsim *sim, struct ts_contact_sear
 	size_t n = sim->particles->n, shares = (size_t)s->shares;
 
 	for (size_t t = 0; t < shares; t++) {
-		s->share[t].from = n * t / shares;
-		s->share[t].to = n * (t + 1) / shares;
-		if (TS_RENEW_UNSET(s->share[t].partner, s->share[t].capacity, s->expected / shares) != TS_OK)
-			return ts_nomem(&sim->error);
+		struct ts_contact_found *f = &s->share[t];
+
+		f->from = n * t / shares;
+		f->to = n * (t + 1) / shares;
+		f->n = 0;
+		f->status = TS_OK;
+		f->coincide = false;
 	}
 	ts_parallel(s->shares, shares, search_shares, s);
 	s->n = 0;
@@ -200,9 +204,9 @@ enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *s)
 
 	s->sim = sim;
 	s->shares = ts_team(sim, 8 * n); /* a search costs as much as several simple loops */
-	s->share = ts_alloc((size_t)s->shares, sizeof *s->share);
-	s->count = ts_alloc(n, sizeof *s->count);
-	if (!s->share || !s->count)
+	s->coincide = false;
+	if (TS_GROW(s->share, s->share_capacity, (size_t)s->shares) != TS_OK ||
+	    TS_RENEW_UNSET(s->count, s->count_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_cells_fill(sim, &s->cells, s->skin));
 	return search_all_shares(sim, s);
@@ -210,7 +214,7 @@ enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *s)
 
 void ts_contact_search_release(struct ts_contact_search *s)
 {
-	for (int t = 0; s->share && t < s->shares; t++) {
+	for (size_t t = 0; t < s->share_capacity; t++) {
 		ts_free(s->share[t].partner);
 		ts_free(s->share[t].key);
 		ts_free(s->share[t].spare);
@@ -220,4 +224,5 @@ void ts_contact_search_release(struct ts_contact_search *s)
 	s->share = NULL;
 	s->count = NULL;
 	ts_cells_release(&s->cells);
+	*s = (struct ts_contact_search){ 0 };
 }

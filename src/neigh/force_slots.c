@@ -46,7 +46,7 @@ static enum ts_status find_chunks(struct tsim *sim, struct ts_contact_list *list
 	list->chunks = list->n ? (list->particles + TS_CONTACT_CHUNK - 1) / TS_CONTACT_CHUNK : 0;
 	TS_TRY(TS_RENEW(list->chunk, list->chunk_capacity, list->chunks));
 	TS_TRY(TS_RENEW(list->chunk_summed, list->chunk_summed_capacity, list->chunks));
-	ts_parallel(ts_team(sim, list->n), list->chunks, find_chunks_share, list);
+	ts_parallel(ts_team(sim, 4 * list->n), list->chunks, find_chunks_share, list);
 	return TS_OK;
 }
 
@@ -151,14 +151,21 @@ void ts_force_slots_forget(struct ts_contact_list *list)
 	list->result_capacity = 0;
 }
 
+static void clear_share(void *context, size_t from, size_t to)
+{
+	struct ts_contact_list *list = context;
+
+	if (to > from)
+		memset(list->result + from, 0, (to - from) * sizeof *list->result);
+}
+
 /* Allocates `room` results, all zero. */
-static enum ts_status clear_results(struct ts_contact_list *list, size_t room)
+static enum ts_status clear_results(const struct tsim *sim, struct ts_contact_list *list, size_t room)
 {
 	list->parts = list->parts ? list->parts : 1;
 	room *= (size_t)list->parts;
 	TS_TRY(TS_RENEW_UNSET(list->result, list->result_capacity, room));
-	if (room)
-		memset(list->result, 0, room * sizeof *list->result);
+	ts_parallel(ts_team(sim, 4 * room), room, clear_share, list);
 	return TS_OK;
 }
 
@@ -171,7 +178,7 @@ static enum ts_status assign_and_clear(struct tsim *sim, struct ts_contact_list 
 	if (!kept)
 		TS_TRY(assign_reused_slots(list, &room));
 	ts_parallel(list->shares, (size_t)list->shares, write_slots_share, list);
-	return clear_results(list, room);
+	return clear_results(sim, list, room);
 }
 
 enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *list, bool kept)
@@ -184,7 +191,8 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 		ts_force_slots_forget(list);
 	ts_contacts_store_history(sim, list);
 	list->active_chosen = false; /* in case of failure */
-	list->shares = ts_team(sim, list->n);
+	list->shares =
+		ts_team(sim, 4 * list->n); /* a pair costs as much as several rounds of a simple loop */
 	TS_TRY(ts_active_pairs_choose(sim, list));
 	TS_TRY(ts_contacts_load_history(sim, list));
 	/* with all results a step takes the most memory; parted pairs have history only here, see contact_loop.h */
@@ -204,7 +212,7 @@ enum ts_status ts_force_slots_keep_all(struct tsim *sim, struct ts_contact_list 
 {
 	ts_contacts_store_history(sim, list);
 	list->active_chosen = false;
-	if (clear_results(list, list->n) != TS_OK)
+	if (clear_results(sim, list, list->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->results = TS_RESULTS_KEPT;
 	return TS_OK;

@@ -89,7 +89,7 @@ enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *g,
 			       const struct ts_gather_pairs *pairs)
 {
 	size_t n = sim->particles->n;
-	int threads = ts_team(sim, pairs->n);
+	int threads = ts_team(sim, 4 * pairs->n);
 	struct gather_task t = { .pairs = pairs };
 
 	TS_TRY(TS_RENEW(g->first, g->first_capacity, n + 2));

@@ -77,11 +77,8 @@ double ts_leaving_skin(double given, double wanted)
 
 bool ts_leaving_search(struct tsim *sim)
 {
-	const struct ts_particles *p = sim->particles;
-	bool left = false;
+	bool left = ts_exchange_some_left(sim);
 
-	for (size_t i = 0; i < p->n && !left; i++)
-		left = ts_exchange_left(&sim->domain->box, p->x[i]) >= 0;
 	ts_leaving_hold(sim);
 	return left;
 }

@@ -1,6 +1,7 @@
 /* The skin: it affects the cost of a run and, without `legacy`, nothing else. */
 #include <math.h>
 
+#include "base/clones.h"
 #include "box/domain.h"
 #include "core/settings.h"
 #include "math/vec3.h"
@@ -10,14 +11,26 @@
 
 #include "base/banned.h"
 
+TS_CLONES static void bound_radii(const double *restrict radius, size_t n, double bounds[2])
+{
+	double least = INFINITY, most = 0;
+
+#pragma omp simd reduction(min : least) reduction(max : most)
+	for (size_t i = 0; i < n; i++) {
+		least = radius[i] < least ? radius[i] : least;
+		most = radius[i] > most ? radius[i] : most;
+	}
+	bounds[0] = least;
+	bounds[1] = most;
+}
+
 void ts_neigh_radii(const struct ts_particles *p, double *least, double *most)
 {
-	*least = INFINITY;
-	*most = 0;
-	for (size_t i = 0; i < p->n; i++) {
-		*least = p->radius[i] < *least ? p->radius[i] : *least;
-		*most = p->radius[i] > *most ? p->radius[i] : *most;
-	}
+	double bounds[2];
+
+	bound_radii(p->radius, p->n, bounds);
+	*least = bounds[0];
+	*most = bounds[1];
 }
 
 double ts_neigh_skin(const struct tsim *sim)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "particle/columns.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
@@ -38,19 +39,43 @@ static void number_cells(struct grid *g)
 	}
 }
 
-static struct grid make_grid(const struct ts_particles *p)
+struct place_task {
+	const struct ts_particles *p;
+	const struct grid *g;
+	double lo[3], hi[3]; /* of the positions */
+};
+
+static void bound_share(void *context, size_t from, size_t to)
 {
-	struct grid g = { .lo = { INFINITY, INFINITY, INFINITY } };
-	double hi[3] = { -INFINITY, -INFINITY, -INFINITY }, volume = 1, longest = 0, edge;
+	struct place_task *t = context;
+	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
 
-	for (size_t i = 0; i < p->n; i++) {
+	for (size_t i = from; i < to; i++) {
 		for (int d = 0; d < 3; d++) {
-			double x = p->x[i][d];
+			double x = t->p->x[i][d];
 
-			g.lo[d] = x < g.lo[d] ? x : g.lo[d];
+			lo[d] = x < lo[d] ? x : lo[d];
 			hi[d] = x > hi[d] ? x : hi[d];
 		}
 	}
+#pragma omp critical(ts_order)
+	for (int d = 0; d < 3; d++) {
+		t->lo[d] = fmin(t->lo[d], lo[d]);
+		t->hi[d] = fmax(t->hi[d], hi[d]);
+	}
+}
+
+static struct grid make_grid(const struct ts_particles *p, int team)
+{
+	struct place_task t = { .p = p,
+				.lo = { INFINITY, INFINITY, INFINITY },
+				.hi = { -INFINITY, -INFINITY, -INFINITY } };
+	struct grid g = { .inverse = 0 };
+	double volume = 1, longest = 0, edge;
+	const double *hi = t.hi;
+
+	ts_parallel(team, p->n, bound_share, &t);
+	memcpy(g.lo, t.lo, sizeof g.lo);
 	for (int d = 0; d < 3; d++)
 		longest = fmax(longest, hi[d] - g.lo[d]);
 	for (int d = 0; d < 3; d++) /* also for flat and thin bounding boxes */
@@ -86,17 +111,26 @@ static void counting_sort(const struct ts_particles *p, const struct grid *g, co
 
 /* Sorting moves all columns, so a few particles that have changed their cell are tolerated: in a random order
  * half of the particles are in an earlier cell than the one before them. */
-static bool well_ordered(const struct ts_particles *p, const struct grid *g)
+static long count_descents(void *context, size_t from, size_t to)
 {
-	size_t before = 0, descents = 0;
+	const struct place_task *t = context;
+	size_t before = from ? cell_of(t->g, t->p->x[from - 1]) : 0;
+	long descents = 0;
 
-	for (size_t i = 0; i < p->n; i++) {
-		size_t cell = cell_of(g, p->x[i]);
+	for (size_t i = from; i < to; i++) {
+		size_t cell = cell_of(t->g, t->p->x[i]);
 
 		descents += cell < before;
 		before = cell;
 	}
-	return descents <= p->n / 16;
+	return descents;
+}
+
+static bool well_ordered(const struct ts_particles *p, const struct grid *g, int team)
+{
+	struct place_task t = { .p = p, .g = g };
+
+	return (size_t)ts_parallel_count(team, p->n, count_descents, &t) <= p->n / 16;
 }
 
 enum ts_status ts_order_by_place(struct tsim *sim)
@@ -106,11 +140,12 @@ enum ts_status ts_order_by_place(struct tsim *sim)
 	struct grid g;
 	int32_t *start, *order;
 	enum ts_status status = TS_OK;
+	int team = ts_team(sim, 4 * p->n);
 
 	if (p->n < TS_ORDER_LEAST)
 		return TS_OK;
-	g = make_grid(p);
-	if (well_ordered(p, &g))
+	g = make_grid(p, team);
+	if (well_ordered(p, &g, team))
 		return TS_OK;
 	TS_TRY(ts_identities(sim, true, &map));
 	start = ts_alloc(g.n + 1, sizeof *start);

@@ -36,25 +36,49 @@ static bool wrap_sheared(struct tsim *sim, size_t i, int32_t turns)
 	return ts_box_wrap_shear(&domain->box, p->x[i], p->image[i], turns);
 }
 
-static enum ts_status wrap_periodic(struct tsim *sim, int dim)
+struct wrapping {
+	struct tsim *sim;
+	int dim;
+	size_t failed; /* the first particle with an invalid position, SIZE_MAX: none */
+};
+
+static bool wrap_particle(const struct wrapping *w, size_t i)
 {
+	struct tsim *sim = w->sim;
 	struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
-	bool periodic = ts_box_periodic(box, dim);
+	const int dim = w->dim;
+	int32_t before = p->image[i][dim];
 
-	for (size_t i = 0; i < p->n; i++) {
-		int32_t before = p->image[i][dim];
+	if (!(fabs(p->x[i][dim]) < FARTHEST) ||
+	    (ts_box_periodic(box, dim) && !ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim])))
+		return false;
+	if (ts_in_group(p, i, sim->domain->drift_group))
+		p->v[i][dim] -= (p->image[i][dim] - before) * sim->domain->drift[dim];
+	return !(box->shear.on && dim == box->shear.gradient) ||
+	       wrap_sheared(sim, i, p->image[i][dim] - before);
+}
 
-		if (!(fabs(p->x[i][dim]) < FARTHEST) ||
-		    (periodic && !ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim])))
-			return fail_position(sim, i);
-		if (ts_in_group(p, i, sim->domain->drift_group))
-			p->v[i][dim] -= (p->image[i][dim] - before) * sim->domain->drift[dim];
-		if (box->shear.on && dim == box->shear.gradient &&
-		    !wrap_sheared(sim, i, p->image[i][dim] - before))
-			return fail_position(sim, i);
+static void wrap_share(void *context, size_t from, size_t to)
+{
+	struct wrapping *w = context;
+
+	for (size_t i = from; i < to; i++) {
+		if (wrap_particle(w, i))
+			continue;
+#pragma omp critical(ts_wrap)
+		w->failed = i < w->failed ? i : w->failed;
+		return;
 	}
-	return TS_OK;
+}
+
+static enum ts_status wrap_periodic(struct tsim *sim, int dim)
+{
+	struct wrapping w = { sim, dim, SIZE_MAX };
+	size_t n = sim->particles->n;
+
+	ts_parallel(ts_team(sim, n), n, wrap_share, &w);
+	return w.failed == SIZE_MAX ? TS_OK : fail_position(sim, w.failed);
 }
 
 int ts_exchange_left(const struct ts_box *box, const double x[3])
@@ -113,6 +137,23 @@ static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
 			"%s (said once; `thermo_modify lost ignore` is silent, `lost error` stops)", text);
 	p->lost_warned = true;
 	return status;
+}
+
+static long count_left(void *context, size_t from, size_t to)
+{
+	const struct tsim *sim = context;
+	long left = 0;
+
+	for (size_t i = from; i < to; i++)
+		left += ts_exchange_left(&sim->domain->box, sim->particles->x[i]) >= 0;
+	return left;
+}
+
+bool ts_exchange_some_left(struct tsim *sim)
+{
+	size_t n = sim->particles->n;
+
+	return ts_parallel_count(ts_team(sim, n), n, count_left, sim) > 0;
 }
 
 static enum ts_status drop_lost(struct tsim *sim)
@@ -194,18 +235,25 @@ enum ts_status ts_exchange_migrate(struct tsim *sim)
 	ts_domain_reduce_shear(sim->domain);
 	for (int dim = 2; dim >= 0; dim--) /* of a sheared box `gradient` before `flow` */
 		TS_TRY(wrap_periodic(sim, dim));
-	if (!sim->run.relist)
+	if (!sim->run.relist && ts_exchange_some_left(sim))
 		TS_TRY(drop_lost(sim));
 	fit_all_faces(sim);
 	return TS_OK;
+}
+
+static void hold_share(void *context, size_t from, size_t to)
+{
+	struct ts_particles *p = context;
+
+	if (to > from)
+		memcpy(p->xhold + from, p->x + from, (to - from) * sizeof *p->xhold);
 }
 
 void ts_exchange_hold(struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
 
-	if (p->n)
-		memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
+	ts_parallel(ts_team(sim, p->n), p->n, hold_share, p);
 	ts_domain_hold(sim->domain);
 }
 

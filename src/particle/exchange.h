@@ -28,5 +28,7 @@ void ts_exchange_forward(struct tsim *sim);
 void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3]);
 /* The fixed face, 2 * dim + side, beyond which x lies, or -1. */
 int ts_exchange_left(const struct ts_box *box, const double x[3]);
+/* Whether some local particle is there. */
+bool ts_exchange_some_left(struct tsim *sim);
 
 #endif

@@ -218,7 +218,7 @@ enum ts_status ts_mesh_wall_enqueue_contacts(struct ts_instance *self, struct ts
 	struct force_task task = { sim, w, mw, ts_mesh_wall_max_approach(sim, mw) };
 
 	/* a contact costs as much as about 4 particles of simple loops */
-	ts_parallel(ts_team(sim, 4 * w->contacts.n), mw->nneighbors, compute_range, &task);
+	ts_parallel(ts_team(sim, 16 * w->contacts.n), mw->nneighbors, compute_range, &task);
 	ts_wall_finish(w);
 	return ts_coincide_wall(sim, w);
 }

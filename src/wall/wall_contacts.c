@@ -146,8 +146,8 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 {
 	struct split split = { c, share, context };
 
-	/* a contact costs as much as about 16 particles of simple loops */
-	ts_parallel(ts_team(sim, 16 * c->n), c->n, share_whole_particles, &split);
+	/* a contact costs as much as about 64 particles of simple loops */
+	ts_parallel(ts_team(sim, 64 * c->n), c->n, share_whole_particles, &split);
 }
 
 /* Reports are stored only if an output needs them. Those of older files have no heat flow and are ignored: the next
