@@ -1,61 +1,98 @@
+#include "base/clones.h"
+TS_UNROLLED
+
 #include "contact/contact_sums.h"
 
-#include "base/clones.h"
 #include "base/four.h"
+#include "neigh/touching_sums.h"
 
 #include "base/banned.h"
 
-/* a table instead of a branch: the branch would be mispredicted half of the time */
-static const double signs[] = { 1, -1 };
+/* Force and torque of a particle as one vector of eight numbers, so that both are summed at once. */
+typedef double eight __attribute__((vector_size(64)));
+typedef long long eight_places __attribute__((vector_size(64)));
+#define EIGHT(x) ((eight){ x, x, x, x, x, x, x, x })
+#define HALVES(a, b) __builtin_shuffle(a, b, (eight_places){ 0, 1, 2, 3, 12, 13, 14, 15 })
+#define QUARTERS(a, b) ((eight){ (a)[0], (a)[1], (a)[2], (a)[3], (b)[0], (b)[1], (b)[2], (b)[3] })
 
-TS_INLINE void add_or_set(double to[3], const ts_four *sum, bool overwrite)
+/* Adds a result to the force and torque of a particle; entry: 2 slot + side; `parts` as in struct ts_contact_list. */
+TS_INLINE void add_result(eight *sum, const eight *radius, const ts_four *results, size_t parts,
+			  uint32_t entry)
 {
-	for (int d = 0; d < 3; d++)
-		to[d] = overwrite ? (*sum)[d] : to[d] + (*sum)[d];
+	/* a table instead of a branch: the branch would be mispredicted half of the time */
+	static const eight signs[] = { { 1, 1, 1, 1, 1, 1, 1, 1 }, { -1, -1, -1, -1, -1, -1, -1, -1 } };
+	const ts_four *result = results + parts * (entry >> 1);
+	const eight sign = signs[entry & 1], arm = *radius - EIGHT(result[0][3]);
+
+	if (parts == 1)
+		*sum += sign * QUARTERS(result[0], result[0]);
+	else if (parts == 2)
+		*sum += HALVES(sign, arm) * *(const eight *)result;
+	else
+		*sum += HALVES(sign, arm) * QUARTERS(result[0], result[1]) +
+			HALVES(EIGHT(0), sign) * QUARTERS(result[2], result[2]);
 }
 
-/* Sums the results of the touching pairs of each particle; `parts` as in struct ts_contact_list. */
-TS_INLINE void sum_forces(const struct ts_contact_list *list, const struct ts_particles *p, size_t from,
-			  size_t to, size_t parts)
+/* Adds the entries from .. to-1 of a row; entries without a result are zero and change nothing. */
+TS_INLINE void add_row(eight *sum, const eight *radius, const ts_four *results, size_t parts,
+		       const uint32_t *row, int from, int to)
 {
-	const size_t *first = list->gather.first;
+#pragma GCC unroll 8
+	for (int k = from; k < to; k++)
+		add_result(sum, radius, results, parts, row[k]);
+}
+
+TS_INLINE void add_or_set(double to[3], const eight *sum, int from, bool overwrite)
+{
+	for (int d = 0; d < 3; d++)
+		to[d] = overwrite ? (*sum)[from + d] : to[d] + (*sum)[from + d];
+}
+
+/* Sums the results of the touching pairs of each particle; `parts` as in struct ts_contact_list; always: number of
+ * entries that are added for all particles. */
+TS_INLINE void sum_forces(const struct ts_contact_list *list, const struct ts_particles *p, size_t from,
+			  size_t to, size_t parts, int always)
+{
 	const ts_four *results = (const ts_four *)list->result;
 	bool overwrite = list->overwrite_sums;
 
 	for (size_t i = from; i < to; i++) {
-		ts_four f = { 0 }, torque = { 0 };
-		double radius = list->sphere[i].position[3];
-		const uint32_t *sum = list->sum + first[i];
+		const eight radius = EIGHT(list->sphere[i].position[3]);
+		eight sum = EIGHT(0);
+		const uint32_t *row = list->sum + TS_SUM_ROW * i;
+		size_t n = list->sums[i];
 
-		for (size_t k = 0; k < list->sums[i]; k++) {
-			const ts_four *result = results + parts * (sum[k] >> 1);
-			double sign = signs[sum[k] & 1];
-
-			f += sign * result[0];
-			if (parts > 2)
-				torque += (radius - result[0][3]) * result[1] + sign * result[2];
-			else if (parts > 1)
-				torque += (radius - result[0][3]) * result[1];
+		add_row(&sum, &radius, results, parts, row, 0, always);
+		if (n > (size_t)always) {
+			add_row(&sum, &radius, results, parts, row, always, TS_SUM_ROW);
+			for (size_t k = TS_SUM_ROW; k < n; k++)
+				add_result(&sum, &radius, results, parts, ts_touching_sums_entry(list, i, k));
 		}
-		add_or_set(p->f[i], &f, overwrite);
+		add_or_set(p->f[i], &sum, 0, overwrite);
 		if (parts > 1)
-			add_or_set(p->torque[i], &torque, overwrite);
+			add_or_set(p->torque[i], &sum, 4, overwrite);
 	}
 }
 
-#define SUM(name, parts)                                                                             \
+#define SUM(name, parts, always)                                                                     \
 	TS_CLONES static void name(const struct ts_contact_list *list, const struct ts_particles *p, \
 				   size_t from, size_t to)                                           \
 	{                                                                                            \
-		sum_forces(list, p, from, to, parts);                                                \
+		sum_forces(list, p, from, to, parts, always);                                        \
 	}
-SUM(sum_forces_only, 1)
-SUM(sum_with_tangential_torque, 2)
-SUM(sum_with_all_torques, 3)
+SUM(half_rows_forces_only, 1, TS_SUM_ROW / 2)
+SUM(half_rows_with_tangential_torque, 2, TS_SUM_ROW / 2)
+SUM(half_rows_with_all_torques, 3, TS_SUM_ROW / 2)
+SUM(rows_forces_only, 1, TS_SUM_ROW)
+SUM(rows_with_tangential_torque, 2, TS_SUM_ROW)
+SUM(rows_with_all_torques, 3, TS_SUM_ROW)
 
 ts_contact_sums_fn *ts_contact_sums_of(const struct ts_contact_list *list)
 {
-	return list->parts > 2	 ? sum_with_all_torques
-	       : list->parts > 1 ? sum_with_tangential_torque
-				 : sum_forces_only;
+	static ts_contact_sums_fn *const of[2][3] = {
+		{ half_rows_forces_only, half_rows_with_tangential_torque, half_rows_with_all_torques },
+		{ rows_forces_only, rows_with_tangential_torque, rows_with_all_torques },
+	};
+
+	return of[list->sum_whole_rows][list->parts - 1];
 }

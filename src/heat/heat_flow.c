@@ -16,6 +16,7 @@ TS_UNROLLED
 #include "contact/contact_pass.h"
 #include "core/deferred_loops.h"
 #include "heat/heat_block.h"
+#include "neigh/touching_sums.h"
 
 #include "base/banned.h"
 
@@ -110,6 +111,15 @@ TS_INLINE void add_flows(const struct ts_heat_flow *flow, const uint32_t *entry,
 		*sum += signs[entry[k] & 1] * flows[entry[k] >> 1];
 }
 
+TS_INLINE void add_flows_of_touching(const struct ts_heat_pairs *pairs, size_t i, ts_four *sum)
+{
+	const struct ts_contact_list *rows = pairs->rows;
+	size_t n = rows->sums[i], in_row = n < TS_SUM_ROW ? n : TS_SUM_ROW;
+
+	add_flows(pairs->flow, rows->sum + TS_SUM_ROW * i, in_row, sum);
+	add_flows(pairs->flow, rows->sum_rest + rows->rest_first[i], n - in_row, sum);
+}
+
 TS_INLINE void add_flows_of_list(const struct ts_heat_pairs *pairs, size_t i, ts_four *sum)
 {
 	const struct ts_gather *g = &pairs->rows->gather;
@@ -123,7 +133,6 @@ TS_CLONES static void sum_flows_range(void *context, size_t from, size_t to)
 {
 	const struct ts_heat *h = ((const struct ts_instance *)context)->state;
 	const struct ts_heat_pairs *pairs = h->pairs;
-	const struct ts_contact_list *rows = pairs->rows;
 	double *inner = h->inner, *directed = ts_heat_column(h->sim, h->directed);
 	bool known = h->fused_pass.begun, held = pairs[1].rows->n > 0;
 
@@ -131,7 +140,7 @@ TS_CLONES static void sum_flows_range(void *context, size_t from, size_t to)
 		ts_four sum = { 0 };
 
 		if (known)
-			add_flows(pairs->flow, rows->sum + rows->gather.first[i], rows->sums[i], &sum);
+			add_flows_of_touching(pairs, i, &sum);
 		else
 			add_flows_of_list(&pairs[0], i, &sum);
 		if (held)

@@ -305,6 +305,7 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 		{ list->slot_of_capacity, sizeof *list->slot_of },
 		{ list->sums_left_capacity, sizeof *list->sums_left },
 		{ list->sum_capacity, sizeof *list->sum },
+		{ list->sum_rest_capacity, sizeof *list->sum_rest },
 		{ list->sums_capacity, sizeof *list->sums },
 		{ list->chunk_capacity, sizeof *list->chunk + sizeof *list->chunk_summed },
 	};
@@ -336,6 +337,8 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->sums_left);
 	ts_free(list->sum);
 	ts_free(list->sums);
+	ts_free(list->sum_rest);
+	ts_free(list->rest_first);
 	ts_free(list->chunk);
 	ts_free(list->chunk_summed);
 	ts_contact_list_forget_search(list);

@@ -135,12 +135,16 @@ struct ts_contact_list {
 	size_t span_capacity, active_capacity, block_capacity, memory_capacity, slot_of_capacity,
 		sums_left_capacity;
 
-	/* The slots that particle i sums, see touching_sums.h: sums[i] of them from sum[gather.first[i]] on, as
-	 * 2 slot + side like the entries of the gather lists, but of touching pairs only */
-	uint32_t *sum, *sums;
+	/* The slots that particle i sums, see touching_sums.h: sums[i] of them, as 2 slot + side like the entries of
+	 * the gather lists, but of touching pairs only. The first ones are in the row sum[TS_SUM_ROW i] .., which
+	 * is filled up with `zero_slot`, a slot that is always zero; the rest from sum_rest[rest_first[i]] on. */
+	uint32_t *sum, *sums, *sum_rest, *rest_first;
+	uint32_t zero_slot;
+	bool sum_whole_rows; /* most particles have more than half a row of touching pairs */
 	struct ts_contact_chunk *chunk; /* chunk k: particles from k TS_CONTACT_CHUNK on */
 	uint8_t *chunk_summed;		/* by chunk: summed in this force evaluation */
-	size_t chunks, sum_capacity, sums_capacity, chunk_capacity, chunk_summed_capacity;
+	size_t chunks, sum_capacity, sums_capacity, sum_rest_capacity, rest_first_capacity, chunk_capacity,
+		chunk_summed_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };

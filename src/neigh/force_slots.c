@@ -55,6 +55,7 @@ static enum ts_status find_chunks(struct tsim *sim, struct ts_contact_list *list
 struct slot_task {
 	struct ts_contact_list *list;
 	uint32_t *used; /* by share: number of slots that it needs */
+	uint32_t *free; /* by active pair: stacks of free slots, one in each share */
 };
 
 /* Chunk c has been summed: frees the slots that no other particle has still to sum. Returns the number of
@@ -78,8 +79,7 @@ static void assign_slots(const struct slot_task *s, size_t share)
 {
 	struct ts_contact_list *list = s->list;
 	const struct ts_contact_span *span = &list->span[share];
-	/* the sums are not listed yet: their memory serves as a stack */
-	uint32_t used = 0, *free = list->sum + 2 * span->active;
+	uint32_t used = 0, *free = s->free + span->active;
 	size_t c = 0, done, n = 0;
 
 	for (size_t b = span->block; b < span->block_end; b++) {
@@ -120,16 +120,18 @@ static size_t offset_slots_by_share(const struct slot_task *s)
 
 static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *room)
 {
-	struct slot_task s = { list, ts_alloc((size_t)list->shares, sizeof *s.used) };
+	struct slot_task s = { list, ts_alloc((size_t)list->shares, sizeof *s.used),
+			       ts_alloc(list->n, sizeof *s.free) };
+	enum ts_status status = TS_NOMEM;
 
-	if (!s.used || TS_RENEW_UNSET(list->sums_left, list->sums_left_capacity, list->n) != TS_OK) {
-		ts_free(s.used);
-		return TS_NOMEM;
+	if (s.used && s.free && TS_RENEW_UNSET(list->sums_left, list->sums_left_capacity, list->n) == TS_OK) {
+		ts_parallel(list->shares, (size_t)list->shares, assign_shares_range, &s);
+		*room = offset_slots_by_share(&s);
+		status = TS_OK;
 	}
-	ts_parallel(list->shares, (size_t)list->shares, assign_shares_range, &s);
-	*room = offset_slots_by_share(&s);
 	ts_free(s.used);
-	return TS_OK;
+	ts_free(s.free);
+	return status;
 }
 
 static void write_slots_share(void *context, size_t from, size_t to)
@@ -159,11 +161,12 @@ static void clear_share(void *context, size_t from, size_t to)
 		memset(list->result + from, 0, (to - from) * sizeof *list->result);
 }
 
-/* Allocates `room` results, all zero. */
+/* Allocates `room` results and one that remains zero, all zero. */
 static enum ts_status clear_results(const struct tsim *sim, struct ts_contact_list *list, size_t room)
 {
+	list->zero_slot = (uint32_t)room;
 	list->parts = list->parts ? list->parts : 1;
-	room *= (size_t)list->parts;
+	room = (room + 1) * (size_t)list->parts;
 	TS_TRY(TS_RENEW_UNSET(list->result, list->result_capacity, room));
 	ts_parallel(ts_team(sim, 4 * room), room, clear_share, list);
 	return TS_OK;
