@@ -240,6 +240,8 @@ library_sources = \
 	src/contact/contact_models.h \
 	src/contact/contact_pass.c \
 	src/contact/contact_pass.h \
+	src/contact/contact_roots.c \
+	src/contact/contact_roots.h \
 	src/contact/contact_stages.c \
 	src/contact/contact_stages.h \
 	src/contact/contact_sums.c \

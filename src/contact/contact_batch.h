@@ -6,13 +6,16 @@
 
 #include "base/four.h"
 #include "contact/contact_loop.h"
+#include "contact/contact_roots.h"
 
 struct ts_batch {
 	/* inputs, see struct ts_contact_inputs; v[3]: 1/m_i + 1/m_j, omega[0][3], omega[1][3]: radii of i and
 	 * j */
 	double d[3][TS_BATCH], v[4][TS_BATCH], omega[2][4][TS_BATCH];
 	double mass[2][TS_BATCH];
-	double r_eff[TS_BATCH], m_eff[TS_BATCH]; /* R*, m* */
+	double r_eff[TS_BATCH], m_eff[TS_BATCH];      /* R*, m* */
+	double distance[TS_BATCH], inverse[TS_BATCH]; /* of the centres, and its reciprocal */
+	double solved[TS_BATCH];		      /* sqrt(R* delta) in models that are `rooted` */
 	/* results, zero for pairs that do not touch; touch: all bits set if the pair touches, else 0 */
 	long long touch[TS_BATCH];
 	double force[4][TS_BATCH], tangential_torque[3][TS_BATCH], rolling_torque[3][TS_BATCH];
@@ -90,6 +93,9 @@ TS_INLINE void ts_batch_inputs(const struct ts_batch *b, size_t k, struct ts_con
 		.imass = b->v[3][k],
 		.r_eff = b->r_eff[k],
 		.m_eff = b->m_eff[k],
+		.distance = b->distance[k],
+		.inverse = b->inverse[k],
+		.solved = b->solved[k],
 	};
 }
 
@@ -98,7 +104,7 @@ TS_INLINE void ts_batch_reduce_at(struct ts_batch *b, size_t k)
 	struct ts_contact_inputs e;
 
 	ts_batch_inputs(b, k, &e);
-	ts_contact_inputs_reduce(&e);
+	ts_contact_inputs_complete(&e);
 	b->r_eff[k] = e.r_eff;
 	b->m_eff[k] = e.m_eff;
 }
@@ -138,6 +144,18 @@ TS_INLINE void ts_batch_reduce(struct ts_batch *b, size_t n)
 			b->m_eff[k] = b->m_eff[0];
 		}
 	}
+}
+
+/* Distances of the n pairs, and the roots of R* delta of hertz, before the loop over the law. */
+TS_INLINE void ts_batch_measure(struct ts_batch *b, size_t n, const struct ts_granular_model *m)
+{
+	ts_contact_roots(&(struct ts_contact_roots){ { b->d[0], b->d[1], b->d[2] },
+						     { b->omega[0][3], b->omega[1][3] },
+						     m->rooted ? b->r_eff : NULL,
+						     b->distance,
+						     b->inverse,
+						     b->solved },
+			 n);
 }
 
 /* Whether the distance is less than the sum of the radii plus `beyond` (> 0: range of attraction, length). */
@@ -367,6 +385,7 @@ TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, con
 	for (size_t at = whole; at < n; at += 4)
 		ts_batch_load(p, list, m, &tail[at - whole], at, b);
 	ts_batch_reduce(b, n);
+	ts_batch_measure(b, n, m);
 	contacts(b, n, m, law, task->dt);
 	for (size_t at = 0; at < whole; at += 4)
 		ts_batch_store(b, parts, active + at, at, 4, list);

@@ -80,13 +80,18 @@ TS_INLINE void ts_contact_clear_result(const struct ts_contact_list *list, size_
 struct ts_contact_inputs {
 	double d[3], v[3]; /* x_i - x_j, v_i - v_j: length, velocity */
 	double omega[2][3], radius[2], mass[2], liquid[2];
-	double imass;	     /* 1/m_i + 1/m_j */
-	double r_eff, m_eff; /* R*, m*: ts_contact_inputs_reduce */
+	double imass; /* 1/m_i + 1/m_j */
+	/* ts_contact_inputs_complete: R*, m*; length of d and its reciprocal, 0 for coincident centres */
+	double r_eff, m_eff, distance, inverse;
+	/* precomputed root, if ts_granular_model.rooted */
+	double solved;
 };
 
-/* R* and m*, of the radii and imass. */
-TS_INLINE void ts_contact_inputs_reduce(struct ts_contact_inputs *e)
+/* Sets what follows from d, the radii and imass. */
+TS_INLINE void ts_contact_inputs_complete(struct ts_contact_inputs *e)
 {
+	e->distance = sqrt(ts_dot(e->d, e->d));
+	e->inverse = e->distance > 0 ? 1 / e->distance : 0;
 	e->r_eff = e->radius[0] * e->radius[1] / (e->radius[0] + e->radius[1]);
 	e->m_eff = 1 / e->imass;
 }
@@ -111,23 +116,19 @@ TS_INLINE void ts_contact_inputs(const struct ts_particles *p, size_t i, size_t 
 	e->mass[0] = p->mass[i];
 	e->mass[1] = p->mass[j];
 	e->imass = p->imass[i] + p->imass[j];
-	ts_contact_inputs_reduce(e);
+	ts_contact_inputs_complete(e);
 }
 
 TS_INLINE void ts_contact_inputs_touch(const struct ts_contact_inputs *e, const struct ts_granular_model *m,
 				       struct ts_touch *t)
 {
-	double distance = sqrt(ts_dot(e->d, e->d));
-	/* coincident centres: no direction, so no force */
-	double inverse = distance > 0 ? 1 / distance : 0;
-
 	t->wall = false;
-	t->solved = 0; /* not solved yet */
+	t->solved = e->solved;
 	t->bulge = 0;
-	t->distance = distance;
+	t->distance = e->distance;
 	t->radius[0] = e->radius[0];
 	t->radius[1] = e->radius[1];
-	t->overlap = t->radius[0] + t->radius[1] - distance;
+	t->overlap = t->radius[0] + t->radius[1] - e->distance;
 	t->r_eff = e->r_eff;
 	t->m_eff = e->m_eff;
 	t->mass[0] = e->mass[0];
@@ -135,7 +136,7 @@ TS_INLINE void ts_contact_inputs_touch(const struct ts_contact_inputs *e, const 
 	t->liquid[0] = e->liquid[0];
 	t->liquid[1] = e->liquid[1];
 	for (int k = 0; k < 3; k++)
-		t->n[k] = e->d[k] * inverse;
+		t->n[k] = e->d[k] * e->inverse; /* coincident centres: no direction, so no force */
 	ts_granular_arms(m, t);
 	t->vn = ts_dot(e->v, t->n);
 	for (int k = 0; k < 3; k++)

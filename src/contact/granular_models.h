@@ -1,6 +1,7 @@
 /* The most frequent models, whose contact loops are compiled as a whole: TS_GRANULAR_MODELS(M) expands to
  * M(name, model) for each. All other models are computed by the staged loop (law_stages.h); contacts with sub-step
- * detection (`located`) have no stages, their alternative is the generic loop.
+ * detection (`located`) have no stages, their alternative is the generic loop. Batches of pairs of these models have the
+ * roots of hertz from contact_roots.h (`rooted`).
  *
  * A model belongs here if its own loop saves more than 5 % of a run. Measured in scenes of contacts alone, time of a
  * particle and step without the loop / with it: spring 1.33, spring_located 1.69, hertz_located 1.54,
@@ -15,11 +16,11 @@
 	M(hertz_located, .normal = TS_NORMAL_HERTZ, .located = true)                                         \
 	M(hertz_history_located, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,             \
 	  .located = true)                                                                                   \
-	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)                     \
+	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY, .rooted = true)     \
 	M(hertz_history_cdt, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,                 \
-	  .rolling = TS_ROLLING_CDT)                                                                         \
+	  .rolling = TS_ROLLING_CDT, .rooted = true)                                                         \
 	M(hertz_history_epsd2, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,               \
-	  .rolling = TS_ROLLING_EPSD2)                                                                       \
+	  .rolling = TS_ROLLING_EPSD2, .rooted = true)                                                       \
 	M(hooke_stiffness_history, .normal = TS_NORMAL_HOOKE_STIFFNESS, .tangential = TS_TANGENTIAL_HISTORY) \
 	M(hooke_stiffness_history_undamped, .normal = TS_NORMAL_HOOKE_STIFFNESS,                             \
 	  .tangential = TS_TANGENTIAL_HISTORY, .no_tangential_damping = true)                                \
@@ -28,6 +29,6 @@
 	M(numbers_hooke_history, .normal = TS_NORMAL_HOOKE_STIFFNESS, .tangential = TS_TANGENTIAL_SLIDER,    \
 	  .full_arms = true)                                                                                 \
 	M(numbers_hertz_history, .normal = TS_NORMAL_HERTZ_STIFFNESS, .tangential = TS_TANGENTIAL_SLIDER,    \
-	  .full_arms = true)
+	  .full_arms = true, .rooted = true)
 
 #endif

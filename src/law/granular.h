@@ -80,6 +80,7 @@ struct ts_granular_model {
 	bool located;	/* sub-step detection of begin and end of contacts: law/substep.h */
 	/* ts_touch.solved contains the precomputed root: k_n of hooke, or the contact radius of jkr */
 	bool solved;
+	bool rooted; /* hertz, hertz/stiffness: ts_touch.solved of pairs contains sqrt(R* delta) */
 	/* multi-contact model: contacts of one particle influence each other: law/halfspace.h */
 	bool multi;
 	bool fades; /* spring: damping times 1 - (r/(R_i + R_j))^8 */

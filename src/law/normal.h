@@ -28,10 +28,15 @@
 
 #define TS_SQRT_5_6 0.91287092917527685576
 
-TS_INLINE void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts_touch *t,
-			       struct ts_normal *f)
+TS_INLINE double ts_hertz_root(const struct ts_granular_model *m, const struct ts_touch *t)
 {
-	double s = sqrt(t->r_eff * t->overlap), sn = 2 * c->young * s, st = 8 * c->shear * s;
+	return m->rooted && !t->wall ? t->solved : sqrt(t->r_eff * t->overlap);
+}
+
+TS_INLINE void ts_normal_hertz(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+			       const struct ts_touch *t, struct ts_normal *f)
+{
+	double s = ts_hertz_root(m, t), sn = 2 * c->young * s, st = 8 * c->shear * s;
 
 	f->kn = 4.0 / 3.0 * c->young * s;
 	f->kt = st;
@@ -132,7 +137,7 @@ TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct t
 			f->gamman *= 1 - pow(t->distance / (t->distance + t->overlap), 8);
 		break;
 	case TS_NORMAL_HERTZ:
-		ts_normal_hertz(c, t, f);
+		ts_normal_hertz(m, c, t, f);
 		break;
 	case TS_NORMAL_HOOKE:
 	case TS_NORMAL_HOOKE_HYSTERESIS:
@@ -145,7 +150,7 @@ TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct t
 		ts_normal_modulus(c, t, f);
 		break;
 	case TS_NORMAL_HERTZ_STIFFNESS:
-		ts_normal_given(m, c, t, sqrt(t->r_eff * t->overlap), f);
+		ts_normal_given(m, c, t, ts_hertz_root(m, t), f);
 		break;
 	case TS_NORMAL_AREA_HOOKE:
 	case TS_NORMAL_AREA_HERTZ:

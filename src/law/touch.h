@@ -27,7 +27,7 @@ struct ts_touch {
 	double spin[3];	     /* w_i - w_j */
 	/* liquid contents of i and j, in models with liquid bridges; [1] = 0 for a wall */
 	double liquid[2];
-	double solved; /* precomputed root, if ts_granular_model.solved */
+	double solved; /* precomputed root, if ts_granular_model.solved or .rooted */
 	bool wall;
 };
 

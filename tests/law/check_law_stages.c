@@ -91,12 +91,12 @@ static void draw_ends(struct ts_contact_inputs *e, bool touches)
 		draw_vector(3, e->omega[j]);
 	}
 	e->imass = 1 / e->mass[0] + 1 / e->mass[1];
-	ts_contact_inputs_reduce(e);
 	draw_vector(1, e->v);
 	draw_vector(1, e->d);
 	length = (e->radius[0] + e->radius[1]) * (touches ? draw(0.9, 0.999) : draw(1.001, 1.1)) /
 		 ts_norm(e->d);
 	ts_scale(length, e->d, e->d);
+	ts_contact_inputs_complete(e);
 }
 
 struct pairs {
