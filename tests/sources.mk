@@ -165,6 +165,7 @@ shell_tests = \
 	tests/load/mesh_stress.sh \
 	tests/load/surface_heat.sh \
 	tests/load/wear.sh \
+	tests/manual/first_hour.sh \
 	tests/manual/grammar.sh \
 	tests/manual/manual_current.sh \
 	tests/manual/page_order.sh \

@@ -1,0 +1,240 @@
+"""The book: doc/*.md and doc/styles/*.md as HTML and PDF, by Sphinx with MyST. `make book` runs it.
+
+The pages are Markdown that is read as it is, too. What a book has beyond that is made here, before Sphinx
+reads a page: the contents from the lists of doc/index.md and doc/styles/index.md, links to pages and styles that
+the text names, entries of the index, formulas (```math, and $`...`$ in a line). HTML has formulas as MathML, made by
+pandoc, which browsers typeset themselves; nothing is fetched from the network.
+"""
+import os
+import re
+import shutil
+import subprocess
+
+from sphinx.util import logging
+
+logger = logging.getLogger(__name__)
+
+project = "tsim"
+author = "the tsim authors"
+copyright = "the tsim authors; GNU General Public License, version 3 or later"
+release = version = os.environ.get("TSIM_VERSION", "")
+extensions = ["myst_parser"]
+source_suffix = {".md": "markdown"}
+root_doc = "index"
+exclude_patterns = ["book/*", "charts/*", "figures/*"]
+myst_heading_anchors = 4
+# A heading may follow one that is two levels higher; footnotes are not used.
+suppress_warnings = ["myst.header"]
+nitpicky = True
+highlight_language = "none"
+
+html_theme = "alabaster"
+html_title = "tsim " + release
+html_static_path = ["static"]
+html_css_files = ["book.css"]
+html_js_files = ["book.js"]
+html_copy_source = False
+html_show_sourcelink = False
+html_show_sphinx = False
+html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
+html_theme_options = {"description": "grains, bonds, fluids, friction, wear and fracture", "fixed_sidebar": True,
+                      "page_width": "80rem", "sidebar_width": "17rem", "show_powered_by": False,
+                      "font_family": "system-ui, sans-serif", "head_font_family": "system-ui, sans-serif"}
+pygments_style = "default"
+
+
+
+def fonts():
+    """DejaVu has all letters and signs of the pages; without it some signs are missing in the PDF."""
+    try:
+        known = subprocess.run(["fc-list", ":", "family"], capture_output=True, text=True, check=False).stdout
+    except OSError:
+        known = ""
+    if "DejaVu Serif" not in known or "DejaVu Sans Mono" not in known:
+        return ""
+    return (r"\setmainfont[Scale=0.92]{DejaVu Serif}\setsansfont[Scale=0.92]{DejaVu Sans}"
+            r"\setmonofont[Scale=0.85]{DejaVu Sans Mono}")
+
+
+latex_engine = "xelatex"
+latex_documents = [("index", "tsim.tex", "tsim: the book", author.replace("&", "and"), "manual")]
+latex_show_urls = "no"
+latex_elements = {
+    "papersize": "a4paper", "pointsize": "10pt", "figure_align": "H", "extraclassoptions": "openany,oneside",
+    "fontpkg": fonts(),
+    "preamble": r"\setcounter{tocdepth}{1}\sloppy\usepackage{etoolbox}"
+}
+
+# ---- contents, links and index: the text before Sphinx reads it
+
+KINDS = "command|fix|pair|bond|compute|region|dump|flow|pressure|automaton"
+ITEM = re.compile(r"^\s*[-*] \[([^\]]+)\]\(([A-Za-z0-9_/.-]+)\.md\)")
+
+
+def contents(text):
+    """Behind each list of pages under a heading, the same list for the contents of the book."""
+    out, pages, caption = [], [], ""
+
+    def close():
+        if pages:
+            listed = "\n".join(f"{name} <{page}>" for name, page in pages)
+            out.append(f"\n```{{toctree}}\n:hidden:\n:caption: {caption}\n:maxdepth: 1\n\n{listed}\n```\n")
+        pages.clear()
+
+    for line in text.split("\n"):
+        if line.startswith("## "):
+            close()
+            caption = line[3:]
+        item = ITEM.match(line)
+        if item:
+            pages.append((item.group(1), item.group(2)))
+        out.append(line)
+    close()
+    return "\n".join(out)
+
+
+class Names:
+    """Styles by name, and pages of doc/, as links from a page in `folder`."""
+
+    def __init__(self, source):
+        self.styles, self.titles = {}, {}
+        for page in sorted(os.listdir(os.path.join(source, "styles"))):
+            with open(os.path.join(source, "styles", page), encoding="utf-8") as file:
+                words = file.readline().lstrip("# ").split()
+            if len(words) == 2 and page.startswith(words[0] + "_"):
+                self.styles[" ".join(words)] = page
+        for page in sorted(os.listdir(source)):
+            if page.endswith(".md"):
+                with open(os.path.join(source, page), encoding="utf-8") as file:
+                    self.titles[page] = file.readline().lstrip("# ").strip()
+        names = "|".join(re.escape(n) for n in sorted(self.styles, key=len, reverse=True))
+        self.style = re.compile(r"(?<![\w/`\[])(`?)(%s)(`?)(?![\w/*\]])" % names)
+        self.page = re.compile(r"(?<![\w/\[])(`?)doc/([\w-]+\.md)(`?)(?![\w/])")
+
+    def linked(self, line, folder, own):
+        def style(match):
+            page = self.styles[match.group(2)]
+            if page == own or match.group(1) != match.group(3):
+                return match.group(0)
+            return f"[{match.group(2)}]({'' if folder else 'styles/'}{page})"
+
+        def page(match):
+            name = match.group(2)
+            if name not in self.titles or match.group(1) != match.group(3) or name == own:
+                return match.group(0)
+            return f"[{self.titles[name]}]({'../' if folder else ''}{name})"
+
+        # parts that are code or links already stay as they are
+        parts = re.split(r"(\[[^\]]*\]\([^)]*\)|``[^`]+``|`[^`]+`)", line)
+        for k, part in enumerate(parts):
+            if k % 2 == 0:
+                parts[k] = self.style.sub(style, self.page.sub(page, part))
+            elif re.fullmatch(r"`doc/[\w-]+\.md`", part):
+                parts[k] = self.page.sub(page, part)
+            elif part.strip("`") in self.styles:
+                parts[k] = self.style.sub(style, part)
+        return "".join(parts)
+
+
+def index_entries(text, name):
+    """A style is found by its name, a page by its headings, a term of the glossary by itself."""
+    if name.startswith("styles/"):
+        kind, _, style = text.split("\n", 1)[0].lstrip("# ").partition(" ")
+        words = [f"single: {style} ({kind})", f"single: {kind}; {style}"] if style else []
+    elif name == "glossary":
+        words = [f"single: {term.strip()}" for term in re.findall(r"^\*\*([^*]+)\*\*", text, re.M)]
+    else:
+        block = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
+        words = [f"single: {title}" for title in re.findall(r"^#+ (.+)$", block, re.M)]
+    words = [w.replace("`", "") for w in words]
+    return "".join(f"```{{index}} {w}\n```\n" for w in words)
+
+
+def before_reading(app, name, source):
+    text = source[0]
+    folder, own = os.path.dirname(name), os.path.basename(name) + ".md"
+    out, fence = [], None
+    for line in text.split("\n"):
+        mark = re.match(r"\s*(```+)(\w*)", line)
+        if mark:
+            if fence is None:
+                fence = mark.group(2)
+                line = line.replace("```math", "```{math}")
+            else:
+                fence = None
+        elif fence is None and not line.startswith("    ") and not line.startswith("#"):
+            line = re.sub(r"\$`([^`]+)`\$", r"{math}`\1`", line)
+            line = app.names.linked(line, folder, own)
+        out.append(line)
+    text = "\n".join(out)
+    entries = index_entries(source[0], name)
+    if name.endswith("index"):
+        text = contents(text)
+    head, _, rest = text.partition("\n")
+    source[0] = head + "\n\n" + entries + rest
+
+
+# ---- formulas
+
+def mathml(tex, display):
+    key = (tex, display)
+    if key not in mathml.known:
+        text = f"$${tex}$$" if display else f"${tex}$"
+        done = subprocess.run(["pandoc", "-f", "markdown", "-t", "html", "--mathml"], input=text, text=True,
+                              capture_output=True, check=True)
+        if done.stderr:
+            logger.warning("formula %s: %s", tex, done.stderr.strip())
+        mathml.known[key] = re.sub(r"^<p>|</p>$", "", done.stdout.strip())
+    return mathml.known[key]
+
+
+mathml.known = {}
+
+
+def visit_inline(self, node):
+    self.body.append(mathml(node.astext(), False))
+    from docutils.nodes import SkipNode
+    raise SkipNode
+
+
+def visit_display(self, node):
+    self.body.append(f'<div class="formula">{mathml(node.astext(), True)}</div>\n')
+    from docutils.nodes import SkipNode
+    raise SkipNode
+
+
+# ---- pictures of the PDF: drawings as pixels, where there is a program for it
+
+def pictures_for_latex(app, tree):
+    from docutils import nodes
+    if app.builder.format != "latex":
+        return
+    for image in list(tree.findall(nodes.image)):
+        uri = image["uri"]
+        if not uri.endswith(".svg"):
+            continue
+        path = os.path.join(app.srcdir, uri)
+        if os.path.exists(path[:-4] + ".png"):
+            image["uri"] = uri[:-4] + ".png"
+        else:
+            name = os.path.join("pixels", os.path.basename(uri)[:-4] + ".png")
+            target = os.path.join(app.outdir, name)
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            for program in (["rsvg-convert", "-z", "2", "-o", target, path], ["convert", "-density", "150", path, target]):
+                if shutil.which(program[0]) and subprocess.run(program, capture_output=True).returncode == 0:
+                    break
+            else:
+                image.replace_self(nodes.emphasis(text="(drawing: see the HTML of this page)"))
+                continue
+            image["uri"] = os.path.relpath(target, app.srcdir)
+        image["candidates"] = {"*": image["uri"]}
+
+
+def setup(app):
+    app.names = Names(app.srcdir)
+    app.add_html_math_renderer("mathml", (visit_inline, None), (visit_display, None))
+    app.connect("source-read", before_reading)
+    app.connect("doctree-read", pictures_for_latex)
+
+
+html_math_renderer = "mathml"
