@@ -346,7 +346,7 @@ enum ts_status ts_textfile_close(struct ts_textfile *file)
 	if (file->replace.file) {
 		if (status == TS_OK)
 			status = ts_replace_commit(&file->replace, false);
-	} else if (fclose(file->file) != 0 && status == TS_OK) {
+	} else if (file->file && fclose(file->file) != 0 && status == TS_OK) {
 		file->whole = -1;
 		status = undo_failed_write(file);
 	}
