@@ -9,15 +9,32 @@
 
 enum ts_status ts_particle_tally_start(struct tsim *sim, struct ts_particle_tally *tally)
 {
-	size_t n = sim->particles->n;
+	TS_TRY(ts_particle_tally_start_empty(sim, tally));
+	tally->n = sim->particles->n;
+	if (tally->n)
+		memset(tally->note, 0, tally->n * sizeof *tally->note);
+	return TS_OK;
+}
 
-	if (TS_GROW(tally->note, tally->capacity, n) != TS_OK)
+enum ts_status ts_particle_tally_start_empty(struct tsim *sim, struct ts_particle_tally *tally)
+{
+	if (TS_GROW(tally->note, tally->capacity, sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	if (n)
-		memset(tally->note, 0, n * sizeof *tally->note);
-	tally->n = n;
+	tally->n = 0;
 	tally->fresh = true;
 	return TS_OK;
+}
+
+double (*ts_particle_tally_append(struct ts_particle_tally *tally, size_t members))[TS_PARTICLE_TALLY_MOST]
+{
+	size_t first;
+
+#pragma omp atomic capture
+	{
+		first = tally->n;
+		tally->n += members;
+	}
+	return tally->note + first;
 }
 
 const double *ts_particle_tally_sums(struct ts_particle_tally *tally)

@@ -24,7 +24,7 @@ static enum ts_status set_infinite_mass(struct ts_instance *self, struct tsim *s
 
 struct task {
 	const struct ts_particles *p;
-	const struct ts_particle_tally *before;
+	struct ts_particle_tally *before;
 	int group;
 };
 
@@ -33,12 +33,16 @@ static void clear_forces(void *context, size_t from, size_t to)
 	const struct task *t = context;
 	const struct ts_particles *p = t->p;
 
-	if (!ts_group_members(p, t->group, from, to))
+	size_t members = ts_group_members(p, t->group, from, to);
+	double(*note)[TS_PARTICLE_TALLY_MOST];
+
+	if (!members)
 		return;
+	note = ts_particle_tally_append(t->before, members);
 	for (size_t i = from; i < to; i++) {
 		if (!ts_in_group(p, i, t->group))
 			continue;
-		memcpy(t->before->note[i], p->f[i], sizeof p->f[i]);
+		memcpy(*note++, p->f[i], sizeof p->f[i]);
 		memset(p->f[i], 0, sizeof p->f[i]);
 		if (p->torque)
 			memset(p->torque[i], 0, sizeof p->torque[i]);
@@ -50,7 +54,7 @@ static enum ts_status freeze_particles(struct ts_instance *self, struct tsim *si
 	struct freeze *s = self->state;
 	struct task task = { sim->particles, &s->before, self->group };
 
-	TS_TRY(ts_particle_tally_start(sim, &s->before));
+	TS_TRY(ts_particle_tally_start_empty(sim, &s->before));
 	TS_DEFER_LOOP(sim, sim->particles->n, clear_forces, &task);
 	return TS_OK;
 }

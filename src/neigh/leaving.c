@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/clones.h"
+#include "base/parallel.h"
 #include "box/domain.h"
 #include "neigh/neigh.h"
 #include "particle/columns.h"
@@ -25,12 +26,20 @@ enum ts_status ts_leaving_init(struct tsim *sim)
 	return ts_particles_need(sim, 1u << TS_COL_XSEEN);
 }
 
+static void hold_share(void *context, size_t from, size_t to)
+{
+	struct ts_particles *p = context;
+
+	if (to > from)
+		memcpy(p->xseen + from, p->x + from, (to - from) * sizeof *p->xseen);
+}
+
 void ts_leaving_hold(struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
 
-	if (ts_leaving_apart(sim) && p->n)
-		memcpy(p->xseen, p->x, p->n * sizeof *p->xseen);
+	if (ts_leaving_apart(sim))
+		ts_parallel(ts_team(sim, p->n), p->n, hold_share, p);
 }
 
 struct watch_task {
