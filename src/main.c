@@ -1,4 +1,5 @@
 /* The program: command line, signals, exit status. */
+#include <errno.h>
 #include <inttypes.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -10,13 +11,16 @@
 #include "advise/advise.h"
 #include "base/alloc.h"
 #include "base/clock.h"
+#include "base/files_peers.h"
 #include "core/life.h"
+#include "core/ranks.h"
 #include "core/saver.h"
 #include "core/sim.h"
 #include "crosscheck/crosscheck.h"
 #include "explain/price.h"
 #include "io/series.h"
 #include "program/program.h"
+#include "program/program_ranks.h"
 #include "restart/restart.h"
 #include "script/script.h"
 #include "tsim.h"
@@ -29,6 +33,15 @@ static const double PATIENCE = 10; /* s without output after which a terminal sh
 static struct tsim *volatile interrupted;
 static volatile sig_atomic_t signal_number;
 static volatile double signal_time;
+
+/* Ranks get a signal at different steps; they agree on the one after which they stop. */
+static void request_stop(struct tsim *sim)
+{
+	if (sim && sim->world)
+		sim->world->stop = 1;
+	else if (sim)
+		tsim_stop(sim);
+}
 
 /* The first signal stops the run after the present step; a later one terminates the program. `timeout` and
  * some batch systems send a signal twice at once, which counts as one. */
@@ -44,8 +57,7 @@ static void on_signal(int number)
 	if (!signal_number)
 		signal_time = now;
 	signal_number = number;
-	if (sim)
-		tsim_stop(sim);
+	request_stop(sim);
 }
 
 /* USR1: the state is saved after the present step or command, and the script continues. */
@@ -54,7 +66,9 @@ static void on_save(int number)
 	struct tsim *sim = interrupted;
 
 	(void)number;
-	if (sim)
+	if (sim && sim->world)
+		sim->world->save = 1;
+	else if (sim)
 		sim->requests.save = 1;
 }
 
@@ -64,8 +78,7 @@ static void on_time_up(int number)
 	struct tsim *sim = interrupted;
 
 	signal_number = number;
-	if (sim)
-		tsim_stop(sim);
+	request_stop(sim);
 }
 
 static void catch_signals(struct tsim *sim)
@@ -101,18 +114,34 @@ static int open_output(struct tsim *sim, struct ts_setup *setup)
 			return ts_program_usage_error("cannot open screen file '%s': %s", setup->screen,
 						      ts_files_why(&sim->files));
 	}
-	sim->log.progress = sim->log.screen == stdout && isatty(STDOUT_FILENO);
+	if (!ts_ranks_first(sim))
+		sim->log.screen = NULL;
+	/* mpirun passes on what is written to a terminal of its own */
+	sim->log.progress = sim->log.screen == stdout && !sim->world && isatty(STDOUT_FILENO);
 	return ts_streq(log, "none") ? 0 : tsim_log(sim, log);
 }
 
-static void report_error(struct tsim *sim)
+static void report_text(void *data, const char *text)
 {
-	const char *text = tsim_error(sim);
+	struct tsim *sim = data;
 
 	ts_log_progress(&sim->log, "");
 	fflush(stdout);
 	fputs(text, stderr);
 	ts_log_file(&sim->log, "%s", text);
+	if (sim->world && sim->log.file)
+		fflush(sim->log.file);
+}
+
+/* With several ranks an error ends all of them here; a request to stop, which all have agreed on, does not. */
+static void report_error(struct tsim *sim)
+{
+	const char *text = tsim_error(sim);
+
+	if (sim->world && sim->error.status != TS_STOPPED)
+		ts_program_ranks_fail(sim->world, text);
+	else if (ts_ranks_first(sim))
+		report_text(sim, text);
 }
 
 static void print_cost(struct tsim *sim)
@@ -232,12 +261,31 @@ static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 	return good;
 }
 
+/* All ranks get what the first one reads. */
+static int run_standard_input(struct tsim *sim)
+{
+	const struct ts_files_peers *peers = sim->files.peers;
+	int descriptor = peers ? ts_peers_copy(peers, peers->first ? STDIN_FILENO : -1) : -1, status;
+	FILE *copy = descriptor < 0 ? NULL : fdopen(descriptor, "r");
+
+	if (peers && !copy)
+		return ts_program_usage_error("cannot read %s: %s", "stdin", strerror(errno));
+	status = tsim_stream(sim, copy ? copy : stdin, "stdin");
+	if (copy)
+		fclose(copy);
+	return status;
+}
+
 /* Runs the script; returns the exit status. */
 static int run(struct tsim *sim, struct ts_setup *setup, char **argv)
 {
 	struct saver saver = { { save_and_go_on }, setup };
 	struct ts_str said = { 0 };
-	int status = setup->sandboxed ? ts_program_sandbox(sim, setup, &said) : 0, quit = EXIT_SUCCESS;
+	int status = setup->sandboxed && sim->world
+			     ? ts_program_usage_error("%s does not work with several ranks%s", "-sandbox", "")
+		     : setup->sandboxed ? ts_program_sandbox(sim, setup, &said)
+					: 0,
+	    quit = EXIT_SUCCESS;
 
 	status = status ? status : open_output(sim, setup);
 	if (status == TS_EXIT_USAGE && sim->error.status == TS_OK) {
@@ -254,7 +302,7 @@ static int run(struct tsim *sim, struct ts_setup *setup, char **argv)
 	if (!status && setup->input)
 		status = tsim_file(sim, setup->input);
 	else if (!status)
-		status = tsim_stream(sim, stdin, "stdin");
+		status = run_standard_input(sim);
 	if (status) {
 		report_error(sim);
 		quit = ts_program_report_end(sim, EXIT_FAILURE);
@@ -345,12 +393,28 @@ static int plot(struct tsim *sim, const struct ts_setup *setup)
 	return status;
 }
 
+/* What each rank would do for itself is done by the first one alone; false: this is another one. */
+static bool work_alone(struct tsim *sim, const struct ts_setup *setup)
+{
+	const bool runs = !(setup->version || setup->help || setup->grammar || setup->doc || setup->plots ||
+			    setup->studied || setup->advised || setup->crosscheck.n || setup->explain);
+	bool first = ts_ranks_first(sim);
+
+	if (runs)
+		return true;
+	sim->world = NULL;
+	sim->files.peers = NULL;
+	return first;
+}
+
 static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 {
 	int status = ts_program_options(sim, setup, argc, argv);
 
 	if (status)
 		return status;
+	if (!work_alone(sim, setup))
+		return EXIT_SUCCESS;
 	if (setup->version)
 		return ts_program_version();
 	if (setup->help)
@@ -377,14 +441,25 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 int main(int argc, char **argv)
 {
 	struct ts_setup setup = { 0 };
+	struct ts_files_peers peers;
+	const char *why = NULL;
+	struct ts_world *world = ts_program_ranks_begin(&argc, &argv, &why);
 	struct tsim *sim;
 	int status;
 
 	ts_alloc_tune();
-	sim = tsim_open();
+	sim = why ? NULL : tsim_open();
 	if (!sim) {
-		fputs(tsim_error(NULL), stderr);
+		fputs(why ? "tsim: error: " : tsim_error(NULL), stderr);
+		fputs(why ? why : "", stderr);
+		fputs(why ? "\n" : "", stderr);
 		exit(EXIT_FAILURE);
+	}
+	if (world && world->n > 1) {
+		sim->world = world;
+		peers = ts_program_ranks_files(world);
+		sim->files.peers = &peers;
+		ts_program_ranks_listen(world, report_text, sim);
 	}
 	sim->log.echo_file = true;
 	sim->log.patience = PATIENCE;
@@ -397,5 +472,6 @@ int main(int argc, char **argv)
 		fputs("tsim: cannot write to standard output\n", stderr);
 		status = EXIT_FAILURE;
 	}
+	ts_program_ranks_end(world);
 	exit(status);
 }

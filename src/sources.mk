@@ -89,6 +89,8 @@ library_sources = \
 	src/base/eight.h \
 	src/base/files.c \
 	src/base/files.h \
+	src/base/files_peers.c \
+	src/base/files_peers.h \
 	src/base/four.h \
 	src/base/hash.c \
 	src/base/hash.h \
@@ -292,6 +294,8 @@ library_sources = \
 	src/core/arg_read.c \
 	src/core/arg_read.h \
 	src/core/arg_record.c \
+	src/core/carried.c \
+	src/core/carried.h \
 	src/core/coeff.c \
 	src/core/coeff.h \
 	src/core/command_compute.c \
@@ -318,6 +322,8 @@ library_sources = \
 	src/core/number_or_peratom.h \
 	src/core/plan.c \
 	src/core/plan.h \
+	src/core/ranks.c \
+	src/core/ranks.h \
 	src/core/recorder.h \
 	src/core/ref.c \
 	src/core/ref.h \
@@ -1009,6 +1015,8 @@ library_sources = \
 	src/mesh/region_mesh_tet.c \
 	src/neigh/active_pairs.c \
 	src/neigh/active_pairs.h \
+	src/neigh/carried_history.c \
+	src/neigh/carried_history.h \
 	src/neigh/cells.c \
 	src/neigh/cells.h \
 	src/neigh/coincide.c \
@@ -1061,8 +1069,12 @@ library_sources = \
 	src/particle/compute_msd.c \
 	src/particle/compute_property_atom.c \
 	src/particle/compute_vacf.c \
+	src/particle/copies.c \
+	src/particle/copies.h \
 	src/particle/crowd.c \
 	src/particle/crowd.h \
+	src/particle/division.c \
+	src/particle/division.h \
 	src/particle/draw.c \
 	src/particle/draw.h \
 	src/particle/exchange.c \
@@ -1160,6 +1172,10 @@ library_sources = \
 	src/polish/slurry.h \
 	src/polish/wafer.c \
 	src/polish/wafer.h \
+	src/rank/blocks.c \
+	src/rank/blocks.h \
+	src/rank/world.c \
+	src/rank/world.h \
 	src/region/command_region.c \
 	src/region/region.c \
 	src/region/region.h \

@@ -5,6 +5,7 @@
 #   seconds  test                           quick tests of the same subject
 #     120    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
+#      60    rank/ranks.sh                  rank/check_blocks
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
 #      12    program/signal.sh              none: it waits for processes
@@ -60,6 +61,7 @@ slow_tests = \
 	tests/library/python_types.sh \
 	tests/library/wheel.sh \
 	tests/bench/race.sh \
+	tests/rank/ranks.sh \
 	tests/restart/restart.sh \
 	tests/restart/restart_every.sh \
 	tests/program/sandbox.sh \

@@ -192,6 +192,7 @@ shell_tests = \
 	tests/program/kill.sh \
 	tests/program/sandbox.sh \
 	tests/program/signal.sh \
+	tests/rank/ranks.sh \
 	tests/region/regions.sh \
 	tests/report/browser.sh \
 	tests/report/report.sh \
@@ -320,6 +321,7 @@ unit_tests = \
 	tests/polish/check_floating \
 	tests/polish/check_wafer \
 	tests/program/check_crosscheck \
+	tests/rank/check_blocks \
 	tests/render/check_render \
 	tests/report/check_rows \
 	tests/rigid/check_rigid \
@@ -676,6 +678,10 @@ tests_polish_check_wafer_LDADD = $(tests_ldadd)
 tests_program_check_crosscheck_SOURCES = tests/program/check_crosscheck.c
 tests_program_check_crosscheck_CFLAGS = $(tests_cflags)
 tests_program_check_crosscheck_LDADD = $(tests_ldadd)
+
+tests_rank_check_blocks_SOURCES = tests/rank/check_blocks.c
+tests_rank_check_blocks_CFLAGS = $(tests_cflags)
+tests_rank_check_blocks_LDADD = $(tests_ldadd)
 
 tests_render_check_render_SOURCES = tests/render/check_render.c
 tests_render_check_render_CFLAGS = $(tests_cflags)

@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include "base/alloc.h"
+#include "base/files_peers.h"
 
 #include "base/banned.h"
 
@@ -392,6 +393,8 @@ FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode)
 	FILE *file;
 	int descriptor;
 
+	if (ts_peers(files))
+		return ts_peers_open(files->peers, path, mode);
 	if (!ts_files_closed(files))
 		return fopen(path, mode);
 	if (mode[0] != 'r' && ts_streq(path, "/dev/null"))
@@ -417,9 +420,10 @@ void *ts_files_open_gz(struct ts_files *files, const char *path)
 	gzFile file;
 	int descriptor;
 
-	if (!ts_files_closed(files))
+	if (!ts_peers(files) && !ts_files_closed(files))
 		return gzopen(path, "rb");
-	descriptor = open_within(files, path, "r");
+	descriptor =
+		ts_peers(files) ? ts_peers_descriptor(files->peers, path) : open_within(files, path, "r");
 	if (descriptor < 0)
 		return NULL;
 	file = gzdopen(descriptor, "rb");
@@ -439,6 +443,8 @@ void *ts_files_list(struct ts_files *files, const char *folder)
 	DIR *list = NULL;
 	int descriptor;
 
+	if (ts_peers(files)) /* after what the first one has written so far */
+		ts_peers_agree(files->peers, 0);
 	if (!ts_files_closed(files))
 		return opendir(folder);
 	descriptor = entry_open(files, folder, true, ACCESS_STAT, &e);
@@ -457,6 +463,8 @@ int ts_files_stat(struct ts_files *files, const char *path, struct stat *out)
 	struct entry e;
 	int result;
 
+	if (ts_peers(files))
+		return ts_peers_stat(files->peers, path, out);
 	if (!ts_files_closed(files))
 		return stat(path, out);
 	result = entry_open(files, path, true, ACCESS_STAT, &e);
@@ -467,6 +475,8 @@ int ts_files_stat(struct ts_files *files, const char *path, struct stat *out)
 
 bool ts_files_may_make_in(const struct ts_files *files, const char *folder)
 {
+	if (ts_peers(files))
+		return ts_peers_agree(files->peers, access(folder, W_OK | X_OK)) == 0;
 	return ts_files_closed(files) || access(folder, W_OK | X_OK) == 0;
 }
 
@@ -475,6 +485,8 @@ int ts_files_make_folder(struct ts_files *files, const char *path)
 	struct entry e;
 	int result;
 
+	if (ts_peers(files))
+		return ts_peers_agree(files->peers, files->peers->first ? mkdir(path, 0777) : 0);
 	if (!ts_files_closed(files))
 		return mkdir(path, 0777);
 	result = entry_open(files, path, false, ACCESS_WRITE, &e);
@@ -497,11 +509,15 @@ static int unlink_entry(struct ts_files *files, const char *path, int flags)
 
 int ts_files_remove(struct ts_files *files, const char *path)
 {
+	if (ts_peers(files))
+		return ts_peers_agree(files->peers, files->peers->first ? unlink(path) : 0);
 	return ts_files_closed(files) ? unlink_entry(files, path, 0) : unlink(path);
 }
 
 int ts_files_remove_folder(struct ts_files *files, const char *path)
 {
+	if (ts_peers(files))
+		return ts_peers_agree(files->peers, files->peers->first ? rmdir(path) : 0);
 	return ts_files_closed(files) ? unlink_entry(files, path, AT_REMOVEDIR) : rmdir(path);
 }
 
@@ -510,6 +526,8 @@ int ts_files_move(struct ts_files *files, const char *from, const char *to)
 	struct entry old, new;
 	int result;
 
+	if (ts_peers(files))
+		return ts_peers_agree(files->peers, files->peers->first ? rename(from, to) : 0);
 	if (!ts_files_closed(files))
 		return rename(from, to);
 	result = entry_open(files, from, false, ACCESS_WRITE, &old);
@@ -545,6 +563,8 @@ int ts_files_sync(struct ts_files *files, const char *path, FILE *file)
 {
 	int descriptor, result;
 
+	if (ts_peers(files))
+		return ts_peers_agree(files->peers, files->peers->first ? fsync(fileno(file)) : 0);
 	if (!ts_files_closed(files))
 		return fsync(fileno(file));
 	descriptor = open_within(files, path, "r");
@@ -561,17 +581,21 @@ int ts_files_sync_folder(struct ts_files *files, const char *folder)
 
 	if (list)
 		closedir(list);
-	return result;
+	return ts_peers(files) ? ts_peers_agree(files->peers, result) : result;
 }
 
 double ts_files_free_space(struct ts_files *files, const char *path)
 {
 	struct stat info;
 	struct statvfs fs;
+	double space;
 
 	if ((ts_files_closed(files) && ts_files_stat(files, path, &info) != 0) || statvfs(path, &fs) != 0)
 		return -1;
-	return (double)fs.f_frsize * (double)fs.f_bavail;
+	space = (double)fs.f_frsize * (double)fs.f_bavail;
+	if (ts_peers(files))
+		files->peers->spread(files->peers->data, &space, sizeof space);
+	return space;
 }
 
 /* ---- set-up and release */

@@ -22,6 +22,14 @@ struct ts_files_root {
 
 struct ts_files_own;
 
+/* Several processes that execute the same script: one of them writes, and all read what it reads. */
+struct ts_files_peers {
+	bool first; /* this is the one that reads and writes */
+	/* Copies the bytes of the first one to all; called by all in the same order. */
+	void (*spread)(void *data, void *bytes, size_t n);
+	void *data;
+};
+
 /* Zero-initialise: no restriction. All functions take NULL for unrestricted access. */
 struct ts_files {
 	bool closed;
@@ -30,8 +38,9 @@ struct ts_files {
 	int64_t most, written;	  /* limit and sum of bytes written; each new file or folder counts as well */
 	struct ts_files_own *own; /* files that were written in the sandbox: they may be read again */
 	size_t nown, own_capacity;
-	char why[512];		  /* reason of the last refusal */
-	volatile const int *stop; /* not 0: long reads are to be aborted; NULL: never */
+	char why[512];			    /* reason of the last refusal */
+	const struct ts_files_peers *peers; /* NULL: this process is alone */
+	volatile const int *stop;	    /* not 0: long reads are to be aborted; NULL: never */
 };
 
 /* Admits a folder in the sandbox; -1 and errno if it does not exist. */

@@ -488,6 +488,11 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static const char *undivided(const struct tsim *sim)
+{
+	return sim->bonds->n ? "a scene with bonds" : NULL;
+}
+
 const struct ts_system_style ts_bonds_system = {
 	.style = { .name = "bonds",
 		   .kind = TS_KIND_SYSTEM,
@@ -502,5 +507,6 @@ const struct ts_system_style ts_bonds_system = {
 		   .fini = release_bonds },
 	.slot = offsetof(struct tsim, bonds),
 	.connect = connect_bonds,
+	.undivided = undivided,
 	.keywords = keywords,
 };

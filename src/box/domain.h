@@ -18,6 +18,7 @@ struct ts_domain {
 	int drift_group;    /* group whose velocities change by the drift when they cross a periodic face */
 	struct ts_lattice lattice; /* lattice constant 1 without a `lattice` command */
 	bool units_warned;
+	int processors[3]; /* command processors: blocks along each dimension; 0: any number */
 };
 
 /* Returns an error if there is no box yet. */

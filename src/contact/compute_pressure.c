@@ -118,6 +118,7 @@ TS_STYLE(compute, ts_style, ts_compute_pressure)
 const struct ts_style ts_compute_pressure = {
 	.name = "pressure",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Pressure of the whole system",
 	.doc = "P_ab = (sum m v_a v_b + sum d_a F_b) / V, the first sum over all particles, the second over "
 	       "all contacts and bonds, each once; d is the vector between the two particles and F the force "

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "core/ranks.h"
 #include "core/settings.h"
 #include "core/unclaimed_state.h"
 
@@ -219,8 +220,9 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	size_t at;
 
 	TS_TRY(find_position(sim, kind, style, id, where, &at));
-	TS_TRY(instance_new(sim, style, id, group, where, &inst));
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
+	TS_TRY(ts_ranks_allow(sim, style, what, args, where));
+	TS_TRY(instance_new(sim, style, id, group, where, &inst));
 	status = ts_words_copy(&inst->arena, args, &inst->words) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	if (status == TS_OK)
 		status = ts_args_parse(sim, what, style->args, args, where, &inst->arena, inst->state);

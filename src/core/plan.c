@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "core/fingerprint.h"
+#include "core/ranks.h"
 #include "core/ref_list.h"
 #include "core/saver.h"
 #include "core/settings.h"
@@ -117,6 +118,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 	for (int stage = 0; stage < TS_NSTAGE; stage++)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
+	TS_TRY(ts_sim_defer_error(sim, ts_ranks_check_systems(sim)));
 	sim->run.explicit_euler = sim->run.clamped = false; /* set by the init of integrators */
 	TS_TRY(ts_sim_defer_error(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
@@ -278,7 +280,11 @@ enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool
 enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
+	if (sim->world && !sim->division)
+		TS_TRY(sim->tables->divide(plan, sim));
 	TS_TRY(run_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	if (sim->division)
+		ts_ranks_agree(sim);
 	sim->run.rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
 	sim->run.relist &= !sim->run.rebuild;
 	sim->run.rebuild |= sim->run.relist;
@@ -288,7 +294,10 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 	else
 		TS_TRY(run_stage(plan, sim, TS_STAGE_FORWARD));
 	sim->run.rebuild = sim->run.relist = false;
-	return run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
+	TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
+	if (sim->division && ts_ranks_whole_due(plan, sim))
+		TS_TRY(sim->tables->gather(plan, sim));
+	return run_stages(plan, sim, TS_STAGE_END_OF_STEP, TS_STAGE_OUTPUT);
 }
 
 /* Resets the flags that are valid only inside a run. */

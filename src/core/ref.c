@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -111,6 +112,9 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 		return TS_OK;
 	}
 	TS_TRY(ts_sim_require(sim, kind, &word, &ref->inst));
+	if (kind == TS_KIND_FIX && ref->inst->style->ranks & TS_RANKS_OWN &&
+	    !(ref->inst->style->ranks & TS_RANKS_OUTPUTS))
+		TS_TRY(ts_ranks_refuse(sim, name, where));
 	if (!ref->inst->style->values)
 		return ts_fail(&sim->error, TS_STATE, where, "%s %s (%s) has no output to read",
 			       ts_kind_name(kind), id, ref->inst->style->name);

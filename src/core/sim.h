@@ -19,6 +19,7 @@
 #include "core/script_api.h"
 #include "core/style.h"
 #include "core/tables.h"
+#include "rank/world.h"
 
 /* Systems, defined in the folders of their names; the core stores only pointers to them. */
 struct ts_domain;
@@ -30,6 +31,7 @@ struct ts_rigid;
 struct ts_thermo;
 struct ts_library;
 struct ts_guard;
+struct ts_division;
 
 enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
 
@@ -165,7 +167,11 @@ struct tsim {
 	/* services */
 	struct ts_error error;
 	struct ts_log log;
-	struct ts_files files; /* all access to files; restricted by -sandbox */
+	struct ts_files files;	/* all access to files; restricted by -sandbox */
+	struct ts_world *world; /* ranks: core/ranks.h; NULL: this process is alone */
+	/* The particles of this rank and the copies near it: particle/division.h; NULL: this process has all
+	 * particles. */
+	struct ts_division *division;
 	struct ts_pool
 		*pool; /* owns strings that live as long as the simulation: file names, script lines ... */
 	int threads;

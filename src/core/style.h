@@ -83,6 +83,18 @@ enum ts_observes {
 	TS_OBSERVES_BRIEF = 4 /* also contacts that begin and end within a step: wall/surface_contacts.h */
 };
 
+/* What the hooks of a style do with several ranks (core/ranks.h); bits. 0: the style is refused then. */
+enum ts_rank_use {
+	/* They act on each particle of their rank, and on the copies near it, alone. */
+	TS_RANKS_OWN = 1,
+	/* Those of END_OF_STEP and OUTPUT, and its outputs, are called while each rank has all particles; it has none in
+	 * other stages of a step. */
+	TS_RANKS_WHOLE = 2,
+	/* Fixes that act on their own particles: outputs are columns of particles, or the same on all ranks. */
+	TS_RANKS_OUTPUTS = 4
+};
+
+struct ts_carrier;
 struct ts_restraint;
 typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
 
@@ -171,6 +183,11 @@ struct ts_style {
 	/* Completes files that are not complete after each step (movies): called when it is removed and after the script.
 	 * fini, which follows, does the same after an error, but cannot report another one. */
 	ts_hook_fn *close;
+	unsigned ranks; /* enum ts_rank_use; commands need none, as each rank has all particles then */
+	/* Whether a hook of END_OF_STEP or OUTPUT has anything to do in this step; NULL: always. */
+	bool (*due)(const struct ts_instance *self, const struct tsim *sim);
+	const struct ts_carrier
+		*carrier; /* state by particle that changes ranks with it; NULL: there is none */
 	void (*fini)(struct ts_instance *self);
 };
 
@@ -222,6 +239,8 @@ struct ts_system_style {
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;
 	const struct ts_function *functions;
+	/* Why the particles cannot be divided among ranks now, as the subject of a message; NULL: they can. */
+	const char *(*undivided)(const struct tsim *sim);
 	/* For -explain: packs the particles as in a settled bed, to time the most expensive step. */
 	ts_hook_fn *crowd;
 	/* Per-particle quantities by script name (x, vy, radius ...): one row per local particle. */

@@ -33,6 +33,14 @@ static enum ts_status evaluate_next_step(struct ts_instance *self, struct tsim *
 	return TS_OK;
 }
 
+bool ts_dump_may_be_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_dump_common *d = self->state;
+	int64_t step = sim->clock.step;
+
+	return (d->variable ? d->next <= step : step % d->every == 0) || (d->first && d->frames == 0);
+}
+
 enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due)
 {
 	struct ts_dump_common *d = self->state;

@@ -105,6 +105,8 @@ enum ts_status ts_dump_evaluate(struct ts_dump_column *c, struct tsim *sim);
 enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names, bool local);
 /* *due: a frame must be written at this step; it is counted as written. */
 enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due);
+/* Slot `due`: whether a frame may be due at this step. */
+bool ts_dump_may_be_due(const struct ts_instance *self, const struct tsim *sim);
 /* Evaluates all columns, selects and sorts the rows. */
 enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool local);
 /* The same for dumps of particles that need the values only row by row: ts_dump_value. */

@@ -83,6 +83,8 @@ TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 const struct ts_style ts_dump_custom_vtk = {
 	.name = "custom/vtk",
 	.kind = TS_KIND_DUMP,
+	.ranks = TS_RANKS_WHOLE,
+	.due = ts_dump_may_be_due,
 	.summary = "Particles as points with quantities for ParaView",
 	.doc = "Writes one file per frame; the ending of its name selects the format. .vtp: compressed VTK "
 	       "XML (PolyData), recommended; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as "

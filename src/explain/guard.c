@@ -190,6 +190,17 @@ static enum ts_status evaluate_limits(struct tsim *sim, double enough, bool advi
 	return ts_report_collect(report, sim);
 }
 
+static bool is_due(const struct ts_guard *g, const struct tsim *sim)
+{
+	/* reset_timestep may have set the step back */
+	return !g->next || g->next > sim->clock.step + LONGEST || sim->clock.step >= g->next;
+}
+
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	return is_due(self->state, sim);
+}
+
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_guard *g = self->state;
@@ -256,6 +267,8 @@ const struct ts_system_style ts_guard_system = {
 		   .state_size = sizeof(struct ts_guard),
 		   .saved = saved,
 		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step },
+		   .ranks = TS_RANKS_WHOLE,
+		   .due = due,
 		   .defers = TS_DEFERS(END_OF_STEP) },
 	.slot = offsetof(struct tsim, guard),
 	.keywords = keywords,

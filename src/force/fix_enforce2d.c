@@ -43,6 +43,7 @@ TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 const struct ts_style ts_fix_enforce2d = {
 	.name = "enforce2d",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "keeps the particles of the group in the x-y plane",
 	.doc = "In each time step the z components of velocity and force and the x and y components of "
 	       "angular velocity and torque are set to 0. Define this fix after all fixes that add forces. "

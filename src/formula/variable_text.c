@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "base/clock.h"
+#include "core/ranks.h"
 #include "formula/expr.h"
 #include "formula/number_format.h"
 
@@ -86,7 +87,7 @@ static enum ts_status define_timer(struct ts_formulas *formulas, struct ts_varia
 		return ts_fail(&formulas->sim->error, TS_SYNTAX, &variable->values.word[0].place,
 			       "a variable of style timer takes no words, found '%s'",
 			       variable->values.word[0].text);
-	variable->number = ts_clock();
+	variable->number = ts_ranks_same(formulas->sim, ts_clock());
 	return TS_OK;
 }
 

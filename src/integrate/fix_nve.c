@@ -20,6 +20,7 @@ TS_STYLE(fix, ts_style, ts_fix_nve)
 const struct ts_style ts_fix_nve = {
 	.name = "nve",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "integrates the motion of the group by velocity Verlet",
 	.doc = "Each step of length h is v += h/2 f/m; x += h v; computation of the forces f; v += h/2 f/m. "
 	       "Velocity Verlet is of second order and symplectic, and stable for h < 2/omega, omega the "

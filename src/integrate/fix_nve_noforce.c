@@ -30,6 +30,7 @@ TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
 const struct ts_style ts_fix_nve_noforce = {
 	.name = "nve/noforce",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "moves the particles of the group with constant velocity",
 	.doc = "Each step of length h is x += h v; forces do not change the velocity v. Use it for particles "
 	       "that exert forces on others but do not respond to any. See fix move for prescribed paths.",

@@ -12,6 +12,7 @@
 #include "integrate/integrators.h"
 #include "limits/limits_system.h"
 #include "neigh/neigh.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 #include "region/region.h"
 #include "review/table.h"
@@ -47,4 +48,6 @@ const struct ts_tables ts_tables = {
 	.systems = systems,
 	.checks = ts_review_table,
 	.judge = ts_plan_judge,
+	.divide = ts_division_divide,
+	.gather = ts_division_gather,
 };

@@ -59,10 +59,19 @@ static const struct ts_value values[] = {
 };
 static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, check.ratio), TS_SAVED_ROWS_END };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->check.every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_check_timestep_gran)
 const struct ts_style ts_fix_check_timestep_gran = {
 	.name = "check/timestep/gran",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "compares the time step with the Rayleigh time and the duration of collisions",
 	.doc = "Every N steps three ratios are computed. f_ID[1] = dt/t_R, the smallest Rayleigh time t_R = "
 	       "pi R sqrt(rho/G)/(0.1631 nu + 0.8766), G = Y/(2(1+nu)), of the particles of the group. "

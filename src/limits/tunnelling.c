@@ -96,7 +96,7 @@ static enum ts_status list_paths(struct tsim *sim, size_t fast, struct paths *pa
 	*paths = (struct paths){ .listed = sim->neigh->wanted && !sim->bonds->n && fast >= MANY };
 	if (!interact(sim))
 		return TS_OK;
-	ts_neigh_radii(p, &least, &largest);
+	ts_neigh_radii(sim, &least, &largest);
 	paths->reach = sim->neigh->wanted ? ts_pair_reach(sim, largest) : 0;
 	for (size_t i = 0; paths->listed && i < p->n; i++) {
 		double x[3];

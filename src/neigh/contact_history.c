@@ -3,9 +3,11 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "base/sort.h"
 #include "math/vec3.h"
 #include "neigh/contact_memory.h"
 #include "neigh/force_slots.h"
+#include "particle/copies.h"
 #include "particle/identity.h"
 
 #include "base/banned.h"
@@ -13,7 +15,7 @@
 /* Across a periodic face a pair is listed twice, once with each particle as i. Both entries are equal but for
  * rounding, and each keeps its own history. The bit is set in the winding of the entry whose i has the larger
  * identity. */
-enum { OTHER_SIDE = 1 << 30 };
+enum { OTHER_SIDE = TS_HISTORY_OTHER_SIDE };
 
 /* The key of pair r; *swapped: its i has the larger identity. */
 static struct ts_contact_key make_key(const struct ts_contact_list *list, size_t r, bool *swapped)
@@ -181,18 +183,53 @@ struct restoring {
 	const struct ts_contact_history *h;
 	const struct ts_particles *p;
 	struct ts_contact_list *list;
-	int32_t *first; /* by local particle: index of its first key + 1, 0: none */
-	struct link {
+	/* by local particle, then by copy (particle/copies.h): index of its first key + 1, 0: none */
+	int32_t *first;
+	struct {
 		/* the larger identity; index of the next key of the same particle + 1, 0: none */
 		int32_t larger, next;
 	} * link; /* by key */
 };
 
+static int compare_tags(const void *a, const void *b)
+{
+	const int32_t *x = a, *y = b;
+
+	return (x[0] > y[0]) - (x[0] < y[0]);
+}
+
+/* Identities and indices of the copies, sorted. */
+static int32_t (*sort_copies(const struct tsim *sim))[2]
+{
+	size_t n = ts_copies(sim), first = sim->particles->n;
+	int32_t(*list)[2] = ts_alloc(n, sizeof *list);
+
+	for (size_t k = 0; list && k < n; k++) {
+		list[k][0] = sim->particles->tag[first + k];
+		list[k][1] = (int32_t)(first + k);
+	}
+	if (list)
+		ts_sort(list, n, sizeof *list, compare_tags);
+	return list;
+}
+
 struct chaining {
 	struct restoring *g;
 	struct ts_identities map;
+	int32_t (*copy)[2]; /* identities and indices of the copies */
+	size_t copies;
 	int team; /* number of threads */
 };
+
+/* Index of the particle or copy with this tag, or -1. */
+static int32_t row_of(const struct chaining *c, int32_t tag)
+{
+	int32_t at = ts_identity_row(&c->map, tag);
+	const int32_t *found =
+		at < 0 && c->copies ? bsearch(&tag, c->copy, c->copies, sizeof *c->copy, compare_tags) : NULL;
+
+	return found ? found[1] : at;
+}
 
 /* The order of the keys of a particle depends on the threads, but is of no effect: at most one is the key of a pair. */
 static void chain_share(void *context, size_t from, size_t to)
@@ -201,7 +238,7 @@ static void chain_share(void *context, size_t from, size_t to)
 	struct restoring *g = c->g;
 
 	for (size_t k = from; k < to; k++) {
-		int32_t at = ts_identity_row(&c->map, g->h->key[k].tag[0]);
+		int32_t at = row_of(c, g->h->key[k].tag[0]);
 
 		if (at < 0) /* the particle has left */
 			continue;
@@ -216,20 +253,31 @@ static void chain_share(void *context, size_t from, size_t to)
 	}
 }
 
-static enum ts_status chain_keys_by_particle(struct tsim *sim, struct restoring *g)
+static enum ts_status chain_keys(struct tsim *sim, struct restoring *g, int32_t (*copy)[2])
 {
-	struct chaining c = { .g = g, .team = ts_team(sim, 4 * g->h->n) };
+	struct chaining c = {
+		.g = g, .copy = copy, .copies = ts_copies(sim), .team = ts_team(sim, 4 * g->h->n)
+	};
 
 	TS_TRY(ts_identities(sim, false, &c.map));
-	g->first = ts_alloc(g->p->n, sizeof *g->first);
+	g->first = ts_alloc(g->p->n + c.copies, sizeof *g->first);
 	g->link = ts_alloc(g->h->n, sizeof *g->link);
-	if (!g->first || !g->link)
+	if (!g->first || !g->link || !copy)
 		return ts_nomem(&sim->error);
 	ts_parallel(c.team, g->h->n, chain_share, &c);
 	return TS_OK;
 }
 
-/* The local particle of which i is an image, or i itself. */
+static enum ts_status chain_keys_by_particle(struct tsim *sim, struct restoring *g)
+{
+	int32_t(*copy)[2] = sort_copies(sim);
+	enum ts_status status = chain_keys(sim, g, copy);
+
+	ts_free(copy);
+	return status;
+}
+
+/* The local particle, or the copy, of which i is an image, or i itself. */
 static size_t local_of(const struct restoring *g, int32_t i)
 {
 	size_t at = (size_t)i;

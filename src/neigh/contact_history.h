@@ -5,6 +5,8 @@
 
 #include "neigh/contact_list.h"
 
+enum { TS_HISTORY_OTHER_SIDE = 1 << 30 }; /* see the winding of a key */
+
 struct ts_contact_history {
 	size_t n, width;
 	struct ts_contact_key {

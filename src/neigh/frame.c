@@ -4,6 +4,7 @@
 
 #include "base/clones.h"
 #include "base/parallel.h"
+#include "core/ranks.h"
 #include "math/vec3.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
@@ -85,11 +86,15 @@ void ts_frame_speeds(const struct tsim *sim, struct ts_frame_speeds *out)
 
 	*out = (struct ts_frame_speeds){ .most = 0 };
 	ts_parallel(team, p->n, bound_share, &t);
+	for (int d = 0; d < 3; d++) {
+		t.lo[d] = -ts_ranks_most(sim, -t.lo[d]);
+		t.hi[d] = ts_ranks_most(sim, t.hi[d]);
+	}
 	for (int d = 0; d < 3; d++) /* not so if there are no particles, or speeds overflow */
 		out->centre[d] = isfinite(t.lo[d] + t.hi[d]) ? 0.5 * (t.lo[d] + t.hi[d]) : 0;
 	ts_parallel(team, p->n, speeds_share, &t);
-	out->most = sqrt(t.most2);
-	out->most_relative = sqrt(t.most_relative2);
+	out->most = sqrt(ts_ranks_most(sim, t.most2));
+	out->most_relative = sqrt(ts_ranks_most(sim, t.most_relative2));
 }
 
 /* At most this part of the speed remains. */

@@ -6,6 +6,7 @@
 #include "base/clones.h"
 #include "base/parallel.h"
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "neigh/neigh.h"
 #include "particle/columns.h"
 #include "particle/exchange.h"
@@ -89,5 +90,5 @@ bool ts_leaving_search(struct tsim *sim)
 	bool left = ts_exchange_some_left(sim);
 
 	ts_leaving_hold(sim);
-	return left;
+	return ts_ranks_most(sim, left) > 0;
 }

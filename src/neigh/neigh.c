@@ -8,14 +8,17 @@
 #include "base/parallel.h"
 #include "box/domain.h"
 #include "core/deferred_loops.h"
+#include "core/ranks.h"
 #include "core/report.h"
 #include "core/settings.h"
 #include "math/vec3.h"
 #include "neigh/active_pairs.h"
+#include "neigh/carried_history.h"
 #include "neigh/contact_memory.h"
 #include "neigh/leaving.h"
 #include "neigh/order.h"
 #include "particle/columns.h"
+#include "particle/division.h"
 #include "particle/exchange.h"
 #include "particle/molecule.h"
 #include "particle/particles.h"
@@ -184,6 +187,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	ts_contact_list_locate_locals(sim, &sim->neigh->contacts);
 	ts_leaving_watch(sim, &moved);
 	ts_deferred_loops_run(sim);
+	moved = nb->leaving_watched ? (long)ts_ranks_most(sim, (double)moved) : moved;
 	sim->run.rebuild |= moved && ts_leaving_search(sim);
 	if (!beyond)
 		return TS_OK;
@@ -195,7 +199,9 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
+	TS_TRY(ts_division_let_go(sim));
 	TS_TRY(ts_exchange_migrate(sim));
+	TS_TRY(ts_division_migrate(sim));
 	ts_particles_inverse_mass(sim->particles);
 	return TS_OK;
 }
@@ -257,10 +263,9 @@ ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)
 static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_neigh *nb = self->state;
-	struct ts_particles *p = sim->particles;
 	double least, largest, reach, image_reach;
 
-	ts_neigh_radii(p, &least, &largest);
+	ts_neigh_radii(sim, &least, &largest);
 	nb->least_radius = least;
 	reach = nb->wanted ? nb->callback.reach(sim, largest) : 0;
 	image_reach = fmax(reach, nb->fix_reach);
@@ -277,7 +282,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	}
 	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + image_reach,
 				   2 * largest + fmax(nb->given_skin, nb->built_skin) + image_reach));
-	nb->builds++;
+	nb->builds += !(sim->particles->division && sim->particles->division->rebuilding);
 	/* a continued run rebuilds at the steps at which an uninterrupted one would */
 	nb->stale &= sim->run.resuming;
 	if (!nb->wanted)
@@ -450,7 +455,7 @@ static double image_bytes(const struct tsim *sim)
 	const struct ts_box *box = &sim->domain->box;
 	double least, largest, reach, images = 0, bytes = 0;
 
-	ts_neigh_radii(p, &least, &largest);
+	ts_neigh_radii(sim, &least, &largest);
 	reach = 2 * largest + sim->neigh->built_skin;
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active)
@@ -563,6 +568,7 @@ const struct ts_system_style ts_neigh_system = {
 			     [TS_STAGE_PRE_FORCE] = clear_forces },
 		   .defers = TS_DEFERS(CHECK),
 		   .plan = plan,
+		   .carrier = &ts_carried_history,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, neigh),
 	.settings = settings,

@@ -77,7 +77,7 @@ struct ts_neigh {
 };
 
 /* Smallest and largest radius, length; infinite and 0 without particles. */
-void ts_neigh_radii(const struct ts_particles *p, double *least, double *most);
+void ts_neigh_radii(const struct tsim *sim, double *least, double *most);
 /* The largest skin, length: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);

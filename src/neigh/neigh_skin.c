@@ -3,6 +3,7 @@
 
 #include "base/clones.h"
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "core/settings.h"
 #include "math/vec3.h"
 #include "mesh/mesh_surface.h"
@@ -24,13 +25,13 @@ TS_CLONES static void bound_radii(const double *restrict radius, size_t n, doubl
 	bounds[1] = most;
 }
 
-void ts_neigh_radii(const struct ts_particles *p, double *least, double *most)
+void ts_neigh_radii(const struct tsim *sim, double *least, double *most)
 {
 	double bounds[2];
 
-	bound_radii(p->radius, p->n, bounds);
-	*least = bounds[0];
-	*most = bounds[1];
+	bound_radii(sim->particles->radius, sim->particles->n, bounds);
+	*least = -ts_ranks_most(sim, -bounds[0]);
+	*most = ts_ranks_most(sim, bounds[1]);
 }
 
 double ts_neigh_skin(const struct tsim *sim)
@@ -39,8 +40,8 @@ double ts_neigh_skin(const struct tsim *sim)
 
 	if (sim->neigh->skin > 0)
 		return sim->neigh->skin;
-	ts_neigh_radii(sim->particles, &least, &most);
-	return sim->particles->n ? fmax(0.4 * least, 0.05 * most) : 1;
+	ts_neigh_radii(sim, &least, &most);
+	return most > 0 ? fmax(0.4 * least, 0.05 * most) : 1;
 }
 
 /* Whether something other than particles has moved since the last rebuild, or will move, and so uses up the
@@ -86,8 +87,7 @@ static double skin_of_fast_particles(const struct tsim *sim, double skin, double
 static bool rebuilds_are_visible(const struct tsim *sim)
 {
 	return sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_observed ||
-	       (sim->particles->lost_policy == TS_LOST_IGNORE && !ts_leaving_apart(sim)) ||
-	       !sim->particles->n;
+	       (sim->particles->lost_policy == TS_LOST_IGNORE && !ts_leaving_apart(sim));
 }
 
 /* The smallest skin, length, that is enough for the displacement per step of the fastest particle. */
@@ -95,7 +95,7 @@ static double choose_skin(const struct tsim *sim, double displacement, bool wall
 {
 	double skin = ts_neigh_skin(sim), least, most, small;
 
-	ts_neigh_radii(sim->particles, &least, &most);
+	ts_neigh_radii(sim, &least, &most);
 	small = sqrt(SKIN_MEMORY * displacement * 2 * least);
 	small = sim->particles->lost_policy == TS_LOST_IGNORE || walls_move
 			? skin
@@ -111,14 +111,15 @@ void ts_neigh_choose_skin(struct tsim *sim)
 	struct ts_neigh *nb = sim->neigh;
 	struct ts_frame_speeds speeds;
 	bool walls_move, watched = sim->run.relist && nb->leaving_watched;
-	double dt = sim->clock.dt;
+	double dt = sim->clock.dt, least, largest;
 
+	ts_neigh_radii(sim, &least, &largest);
 	nb->frame = (struct ts_frame){ .shift = { 0 } };
 	nb->built_skin = ts_neigh_skin(sim);
 	nb->leaving_watched = false;
 	ts_frame_speeds(sim, &speeds);
 	ts_scale(1, speeds.centre, nb->mean_velocity);
-	if (rebuilds_are_visible(sim))
+	if (rebuilds_are_visible(sim) || !(largest > 0))
 		return;
 	walls_move = boundaries_move(sim);
 	if (!walls_move && ts_domain_all_fixed(sim) && ts_frame_pays(&speeds) &&

@@ -50,6 +50,21 @@ enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows)
 	return TS_OK;
 }
 
+enum ts_status ts_particles_reserve_ghosts(struct tsim *sim, size_t n)
+{
+	struct ts_particles *p = sim->particles;
+	size_t capacity = p->ghost_capacity;
+
+	TS_TRY(ts_particles_reserve(sim, p->n + n));
+	if (TS_GROW(p->ghost_owner, capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	capacity = p->ghost_capacity;
+	if (TS_GROW(p->ghost_shift, capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	p->ghost_capacity = capacity;
+	return TS_OK;
+}
+
 enum ts_status ts_particles_need(struct tsim *sim, unsigned columns)
 {
 	struct ts_particles *p = sim->particles;

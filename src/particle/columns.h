@@ -15,6 +15,8 @@ enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag);
 enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order);
 /* Allocates all active columns for at least this number of rows, ghosts included. */
 enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows);
+/* Makes room for n ghosts. */
+enum ts_status ts_particles_reserve_ghosts(struct tsim *sim, size_t n);
 
 /* Activates built-in columns, filled with zeros; `columns` has the bits 1 << enum ts_column_id. */
 enum ts_status ts_particles_need(struct tsim *sim, unsigned columns);

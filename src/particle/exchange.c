@@ -6,7 +6,10 @@
 
 #include "base/parallel.h"
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "particle/columns.h"
+#include "particle/copies.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -206,6 +209,8 @@ static void fit_faces(const struct tsim *sim, int dim)
 		hi = fmax(hi, p->x[i][dim]);
 	}
 	include_fix_extents(sim, dim, &lo, &hi);
+	lo = -ts_ranks_most(sim, -lo);
+	hi = ts_ranks_most(sim, hi);
 	if (!(lo <= hi))
 		return;
 	if (d->box.face[dim][0] == TS_FACE_SHRINK)
@@ -231,12 +236,15 @@ static void fit_all_faces(struct tsim *sim)
 
 enum ts_status ts_exchange_migrate(struct tsim *sim)
 {
+	int64_t lost = sim->particles->lost;
+
 	sim->particles->nghost = 0;
 	ts_domain_reduce_shear(sim->domain);
 	for (int dim = 2; dim >= 0; dim--) /* of a sheared box `gradient` before `flow` */
 		TS_TRY(wrap_periodic(sim, dim));
 	if (!sim->run.relist && ts_exchange_some_left(sim))
 		TS_TRY(drop_lost(sim));
+	TS_TRY(ts_division_agree_lost(sim, lost));
 	fit_all_faces(sim);
 	return TS_OK;
 }
@@ -310,15 +318,8 @@ static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shif
 {
 	struct ts_particles *p = sim->particles;
 	size_t g = p->n + p->nghost, k = p->nghost;
-	size_t capacity = p->ghost_capacity;
 
-	TS_TRY(ts_particles_reserve(sim, g + 1));
-	if (TS_GROW(p->ghost_owner, capacity, k + 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	capacity = p->ghost_capacity;
-	if (TS_GROW(p->ghost_shift, capacity, k + 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	p->ghost_capacity = capacity;
+	TS_TRY(ts_particles_reserve_ghosts(sim, k + 1));
 	copy_row(p, from, g, TS_COL_BORDER);
 	p->ghost_owner[k] = from < p->n ? (int32_t)from : p->ghost_owner[from - p->n];
 	memset(p->ghost_shift[k], 0, sizeof p->ghost_shift[k]);
@@ -337,13 +338,14 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
 	size_t present = p->n + p->nghost; /* ghosts of ghosts fill edges and corners */
 	const struct ts_shear *s = &sim->domain->box.shear;
+	bool some = present > 0 || sim->division; /* all ranks fail, or none */
 
-	if (most > hi - lo && present > 0)
+	if (most > hi - lo && some)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the periodic box is %g long in dimension %c, less than the reach %g of a "
 			       "contact: make it longer or the skin smaller",
 			       hi - lo, 'x' + dim, most);
-	if (s->on && dim == s->flow && 2 * most > hi - lo && present > 0)
+	if (s->on && dim == s->flow && 2 * most > hi - lo && some)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the sheared periodic box is %g long in dimension %c, less than twice the "
 			       "reach %g of a contact: make it longer or the skin smaller",
@@ -351,9 +353,9 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 	for (size_t i = 0; i < present; i++) {
 		double x = p->xhold[i][dim];
 
-		if (x < lo + cutoff)
+		if (x < lo + cutoff && ts_division_near(sim, dim, x + (hi - lo), cutoff))
 			TS_TRY(add_ghost(sim, i, dim, 1));
-		if (x >= hi - cutoff)
+		if (x >= hi - cutoff && ts_division_near(sim, dim, x - (hi - lo), cutoff))
 			TS_TRY(add_ghost(sim, i, dim, -1));
 	}
 	return TS_OK;
@@ -362,7 +364,9 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most)
 {
 	sim->particles->nghost = 0;
-	if (!sim->particles->n) /* a box for a fluid alone may be smaller than the skin */
+	if (sim->division)
+		TS_TRY(ts_copies_make(sim, cutoff));
+	else if (!sim->particles->n) /* a box for a fluid alone may be smaller than the skin */
 		return TS_OK;
 	for (int k = 0; k < sim->dimension; k++) { /* in two dimensions there are no images in z */
 		int dim =
@@ -397,7 +401,10 @@ static void forward_range(void *context, size_t from, size_t to)
 {
 	const struct tsim *sim = context;
 	const struct ts_particles *p = sim->particles;
+	size_t copies = ts_copies(sim); /* the images follow them */
 
+	from += copies;
+	to += copies;
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		const struct ts_column *c = &p->column[k];
 
@@ -412,7 +419,8 @@ enum { FORWARD_COST = 9 };
 
 void ts_exchange_forward(struct tsim *sim)
 {
-	size_t n = sim->particles->nghost;
+	size_t n = sim->particles->nghost - ts_copies(sim);
 
+	ts_copies_forward(sim);
 	ts_parallel(ts_team(sim, FORWARD_COST * n), n, forward_range, sim);
 }

@@ -214,6 +214,7 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom)
 const struct ts_style ts_fix_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Adds user-defined properties to particles",
 	.doc = "Adds properties to all particles, whatever the group of the fix. In the syntax of LIGGGHTS "
 	       "(NAME scalar ...) particles start with the given values, also those inserted later; in the "

@@ -6,6 +6,7 @@
 #include "material/property.h"
 #include "particle/columns.h"
 #include "particle/crowd.h"
+#include "particle/division.h"
 #include "particle/quantity.h"
 
 #include "base/banned.h"
@@ -81,6 +82,7 @@ static void fini(struct ts_instance *self)
 	ts_free(p->column);
 	ts_free(p->type_mass);
 	ts_materials_release(&p->materials);
+	ts_division_free(p->division);
 	ts_free(p->ghost_owner);
 	ts_free(p->ghost_shift);
 	ts_free(p->row_of_tag);
@@ -302,6 +304,7 @@ const struct ts_system_style ts_particles_system = {
 		   .defers = TS_DEFERS(POST_INTEGRATE),
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),
+	.undivided = ts_division_refused,
 	.crowd = ts_particles_crowd,
 	.has_property = ts_property_given,
 	.keeps_quantity = ts_particles_keeps_quantity,

@@ -1,7 +1,8 @@
 /* The particles: a structure of arrays whose columns are allocated only if a live style needs them.
  *
  * Indices 0..n-1 are local particles, n..n+nghost-1 ghosts: their images across periodic faces. A ghost has
- * the tag (atom ID) of its original. */
+ * the tag (atom ID) of its original. With several ranks the particles of others that are near this one are ghosts,
+ * too. */
 #ifndef TS_PARTICLE_PARTICLES_H
 #define TS_PARTICLE_PARTICLES_H
 
@@ -112,14 +113,17 @@ struct ts_particles {
 	double *type_mass;				/* [ntypes + 1], by `mass`; 0: not given */
 	struct ts_dynamic_group dynamic[TS_MAX_GROUPS]; /* by bit of the group */
 
-	/* [nghost], ghosts */
-	int32_t *ghost_owner;	  /* local index of the original */
+	/* [nghost], ghosts: first copies of particles of other ranks (particle/copies.h), then images */
+	int32_t *ghost_owner;	  /* index of the original, which may be a copy; a copy is its own original */
 	int8_t (*ghost_shift)[3]; /* image offset in box lengths: x = x of the original + shift * length */
 	size_t ghost_capacity;
 
 	int64_t lost;	  /* number of particles lost through fixed faces since the beginning */
 	int lost_policy;  /* enum ts_lost */
 	bool lost_warned; /* the warning is printed once */
+
+	struct ts_division
+		*division; /* with several ranks; sim->division points to it while they are divided */
 
 	struct ts_shared_buffers *holds; /* of the simulation: columns that callers of the library read */
 	/* lookup of indices by tag: particle/identity.h */

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/ranks.h"
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -25,5 +26,5 @@ double ts_prescribed_max_speed(const struct tsim *sim, int group)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, group))
 			most = fmax(most, ts_dot(p->v[i], p->v[i]));
-	return sqrt(most);
+	return sqrt(ts_ranks_most(sim, most));
 }

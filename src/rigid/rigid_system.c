@@ -173,6 +173,11 @@ static void connect_rigid_bodies(struct tsim *sim)
 	sim->particles->material_density = ts_rigid_material_density;
 }
 
+static const char *undivided(const struct tsim *sim)
+{
+	return sim->rigid->n ? "a scene with rigid bodies" : NULL;
+}
+
 const struct ts_system_style ts_rigid_system = {
 	.style = { .name = "rigid",
 		   .kind = TS_KIND_SYSTEM,
@@ -190,4 +195,5 @@ const struct ts_system_style ts_rigid_system = {
 		   .fini = fini },
 	.slot = offsetof(struct tsim, rigid),
 	.connect = connect_rigid_bodies,
+	.undivided = undivided,
 };

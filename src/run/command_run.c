@@ -4,7 +4,9 @@
 #include <inttypes.h>
 
 #include "base/clock.h"
+#include "core/ranks.h"
 #include "neigh/neigh.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -26,13 +28,37 @@ static void print_times(const struct ts_plan *plan, struct tsim *sim, double wal
 	}
 }
 
+/* What the ranks have sent since the last run. */
+static void print_ranks(struct tsim *sim, int64_t steps)
+{
+	struct ts_division *d = sim->particles->division;
+	struct ts_world_counts *c;
+	const int *n;
+
+	if (!d || !steps)
+		return;
+	c = &sim->world->counts;
+	n = d->blocks.count;
+	ts_log(&sim->log, "Ranks: %d as %d x %d x %d blocks, %zu to %zu particles each\n", sim->world->n,
+	       n[0], n[1], n[2], d->least, d->most);
+	ts_log(&sim->log,
+	       "Of the first rank: %.1f messages, %.0f bytes and %.2f agreements a step, %.0f copies of "
+	       "particles, "
+	       "%" PRId64 " particles received; all gathered %" PRId64 " times\n\n",
+	       (double)c->messages / (double)steps, (double)c->bytes / (double)steps,
+	       (double)c->agreements / (double)steps, d->built ? (double)d->made / (double)d->built : 0,
+	       d->moved, d->gathered);
+	*c = (struct ts_world_counts){ 0 };
+	d->built = d->made = d->moved = d->gathered = 0;
+}
+
 static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
 	double wall = ts_clock() - sim->clock.wall_start;
 	const struct ts_particles *p = sim->particles;
 
 	ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n", wall,
-	       sim->threads, steps, p->n);
+	       sim->threads * ts_ranks(sim), steps, p->n);
 	if (steps && p->n)
 		ts_log(&sim->log, "%.1f ns per particle-step\n\n",
 		       1e9 * wall / ((double)steps * (double)p->n));
@@ -40,6 +66,7 @@ static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t s
 	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost,
 	       sim->neigh->contacts.n);
 	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n", sim->neigh->builds);
+	print_ranks(sim, steps);
 	if (p->lost)
 		ts_log(&sim->log, "Particles lost through fixed faces so far: %" PRId64 "\n", p->lost);
 }
@@ -60,7 +87,8 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 		print_footer(plan, sim, steps);
 	else
 		ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n",
-		       ts_clock() - sim->clock.wall_start, sim->threads, steps, sim->particles->n);
+		       ts_clock() - sim->clock.wall_start, sim->threads * ts_ranks(sim), steps,
+		       sim->particles->n);
 	return TS_OK;
 }
 

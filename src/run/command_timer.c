@@ -1,4 +1,5 @@
 /* Command timer: limits the wall time of runs. */
+#include "core/ranks.h"
 #include "core/sim.h"
 
 #include <string.h>
@@ -51,6 +52,8 @@ static enum ts_status set_timeout(struct tsim *sim, struct ts_words words)
 		return TS_OK;
 	if (words.n < 2 || !read_time(words.word[1].text, &seconds))
 		return refuse_value(sim, words.word, "seconds, m:s, h:m:s, off, unlimited or reset");
+	if (seconds >= 0)
+		TS_TRY(ts_ranks_refuse(sim, "timer timeout", &words.word[0].place));
 	sim->run.timeout = seconds < 0 ? 0 : ts_clock() + seconds;
 	return TS_OK;
 }

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/mkdirs.h"
+#include "core/ranks.h"
 #include "script/internal.h"
 
 #include "base/banned.h"
@@ -107,6 +108,7 @@ static enum ts_status run_program(struct tsim *sim, struct ts_words words)
 	struct ts_str line = { 0 };
 	int result = 0;
 
+	TS_TRY(ts_ranks_refuse(sim, "shell with a program", &first->place));
 	for (size_t k = 0; k < words.n; k++)
 		ts_str_addf(&line, "%s%s", k ? " " : "", words.word[k].text);
 	if (line.failed)

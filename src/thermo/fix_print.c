@@ -257,10 +257,19 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_print)
 const struct ts_style ts_fix_print = {
 	.name = "print",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Prints a line of text every N steps",
 	.doc = "Prints the line at the end of each step that is a multiple of N; ${name} and $(formula) in "
 	       "it are replaced by their current values. Before the first step of a run they are checked: "

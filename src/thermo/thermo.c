@@ -282,6 +282,13 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 	return TS_OK;
 }
 
+static bool may_be_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_thermo *t = self->state;
+
+	return t->variable ? sim->clock.step >= t->next : t->every && sim->clock.step % t->every == 0;
+}
+
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_thermo *t = self->state;
@@ -354,6 +361,8 @@ const struct ts_system_style ts_thermo_system = {
 			[TS_STAGE_FINISH] = finish,
 		},
 		.defers = TS_DEFERS(OUTPUT),
+		.ranks = TS_RANKS_WHOLE,
+		.due = may_be_due,
 		.fini = fini,
 	},
 	.slot = offsetof(struct tsim, thermo),

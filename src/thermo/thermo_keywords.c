@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "core/standard.h"
 #include "energy/potential_energy.h"
 #include "group/kinetic_energy.h"
@@ -43,7 +44,7 @@ static enum ts_status cpu(struct tsim *sim, double *out)
 {
 	bool started = sim->run.inside && sim->clock.step > sim->clock.first_step;
 
-	*out = started ? ts_clock() - sim->clock.wall_start : 0;
+	*out = ts_ranks_same(sim, started ? ts_clock() - sim->clock.wall_start : 0);
 	return TS_OK;
 }
 
@@ -54,7 +55,8 @@ static enum ts_status tpcpu(struct tsim *sim, double *out)
 	double now, steps = (double)(sim->clock.step - t->last_row_step);
 
 	TS_TRY(cpu(sim, &now));
-	*out = now > t->last_row_time ? steps * sim->clock.dt / (now - t->last_row_time) : 0;
+	*out = ts_ranks_same(sim,
+			     now > t->last_row_time ? steps * sim->clock.dt / (now - t->last_row_time) : 0);
 	return TS_OK;
 }
 

@@ -7,7 +7,7 @@
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
 
-#include "core/sim.h"
+#include "core/ranks.h"
 
 #include "base/banned.h"
 
@@ -71,6 +71,7 @@ static enum ts_status init_exact(struct ts_instance *self, struct tsim *sim)
 
 	if (w->impact != EXACT)
 		return TS_OK;
+	TS_TRY(ts_ranks_refuse(sim, "fix wall/gran impact exact", ts_instance_word(self, "impact")));
 	if (why)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "impact"),
 			       "fix wall/gran impact exact: %s", why);
@@ -284,6 +285,8 @@ const struct ts_style ts_fix_wall_gran = {
 	.args = args,
 	.groups = groups,
 	.family = TS_FAMILY_WALL,
+	.ranks = TS_RANKS_OWN,
+	.carrier = &ts_wall_carrier,
 	.state_size = sizeof(struct wall),
 	.archive = archive,
 	.values = values,

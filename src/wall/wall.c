@@ -479,6 +479,20 @@ enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struc
 	return ts_wall_contacts_archive(a, sim, &w->contacts);
 }
 
+static enum ts_status give_contacts(struct ts_instance *self, struct tsim *sim, bool results,
+				    struct ts_carried *out)
+{
+	(void)results;
+	return ts_wall_contacts_give(sim, &((struct ts_wall *)self->state)->contacts, out);
+}
+
+static enum ts_status take_contacts(struct ts_instance *self, struct tsim *sim, const struct ts_carried *rows)
+{
+	return ts_wall_contacts_take(sim, &((struct ts_wall *)self->state)->contacts, rows);
+}
+
+const struct ts_carrier ts_wall_carrier = { give_contacts, take_contacts };
+
 void ts_wall_fini(struct ts_instance *self)
 {
 	struct ts_wall *w = self->state;

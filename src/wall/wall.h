@@ -231,6 +231,7 @@ void ts_walls_want_reports(const struct tsim *sim);
 /* For the slots archive and fini of the styles. */
 enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
 void ts_wall_fini(struct ts_instance *self);
+extern const struct ts_carrier ts_wall_carrier;
 
 enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
 enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/sort.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -79,9 +80,12 @@ static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
 }
 
 /* Contact k of the new list continues contact `was` of the old one. */
-static void copy_history(struct ts_wall_contacts *c, size_t k, const struct ts_wall_contacts *old, size_t was)
+static void copy_history(struct ts_wall_contacts *c, size_t k, const struct ts_wall_contacts *old, size_t was,
+			 bool last)
 {
 	c->touching[k] = 1;
+	if (last)
+		c->last[k] = old->last[was];
 	if (c->width && c->width == old->width)
 		memcpy(ts_wall_memory(c, k), ts_wall_memory(old, was), c->width * sizeof *c->memory);
 	if (c->report && old->report)
@@ -93,6 +97,8 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 {
 	const struct ts_wall_contacts *old = &rebuild->old;
 	bool some = old->n && c->n && ((c->width && old->width == c->width) || old->report);
+	/* the list is made again within a step, for all particles on each rank */
+	bool remade = sim->particles->division && sim->particles->division->rebuilding;
 	size_t n = 0;
 	int32_t(*list)[3] = some ? sorted_keys(old, &n) : NULL;
 
@@ -100,7 +106,7 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, compare_keys);
 
 		if (found)
-			copy_history(c, k, old, (size_t)found[2]);
+			copy_history(c, k, old, (size_t)found[2], remade);
 	}
 	ts_wall_contacts_release(&rebuild->old);
 	if (some && !list)
@@ -148,6 +154,54 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 
 	/* a contact costs as much as about 64 particles of simple loops */
 	ts_parallel(ts_team(sim, 64 * c->n), c->n, share_whole_particles, &split);
+}
+
+enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *c, struct ts_carried *out)
+{
+	size_t memory = c->width * sizeof *c->memory;
+
+	out->bytes = sizeof *c->key + memory + sizeof *c->last + (c->want_reports ? sizeof *c->report : 0);
+	for (size_t k = 0; k < c->n; k++) {
+		unsigned char *row;
+
+		if (!has_history(c, k))
+			continue;
+		row = ts_carried_add(out, c->key[k][0]);
+		if (!row)
+			return ts_nomem(&sim->error);
+		memcpy(row, c->key[k], sizeof *c->key);
+		row += sizeof *c->key;
+		memcpy(row, ts_wall_memory(c, k), memory);
+		row += memory;
+		memcpy(row, &c->last[k], sizeof *c->last);
+		if (c->report)
+			memcpy(row + sizeof *c->last, &c->report[k], sizeof *c->report);
+	}
+	c->n = 0;
+	return TS_OK;
+}
+
+/* The next rebuild continues these contacts; until then only their keys and histories are read. */
+enum ts_status ts_wall_contacts_take(struct tsim *sim, struct ts_wall_contacts *c,
+				     const struct ts_carried *rows)
+{
+	size_t n = ts_carried_count(rows), memory = c->width * sizeof *c->memory;
+
+	c->n = 0;
+	for (size_t k = 0; k < n; k++) {
+		int32_t tag;
+		const unsigned char *row = ts_carried_row(rows, k, &tag);
+
+		TS_TRY(ts_wall_contacts_add(sim, c, 0, 0));
+		memcpy(c->key[k], row, sizeof *c->key);
+		row += sizeof *c->key;
+		memcpy(ts_wall_memory(c, k), row, memory);
+		row += memory;
+		memcpy(&c->last[k], row, sizeof *c->last);
+		if (c->report)
+			memcpy(&c->report[k], row + sizeof *c->last, sizeof *c->report);
+	}
+	return TS_OK;
 }
 
 /* Reports are stored only if an output needs them. Those of older files have no heat flow and are ignored: the next

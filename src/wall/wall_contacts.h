@@ -4,6 +4,7 @@
 #define TS_WALL_WALL_CONTACTS_H
 
 #include "base/parallel.h"
+#include "core/carried.h"
 #include "core/sim.h"
 
 /* The contact in the last force computation; all zero if particle and wall do not touch. Forces act on the
@@ -104,6 +105,10 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
 					struct ts_wall_contacts *c);
+/* For the carrier of a wall: core/carried.h. */
+enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *c, struct ts_carried *out);
+enum ts_status ts_wall_contacts_take(struct tsim *sim, struct ts_wall_contacts *c,
+				     const struct ts_carried *rows);
 void ts_wall_contacts_release(struct ts_wall_contacts *c);
 
 #endif

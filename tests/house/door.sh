@@ -4,13 +4,13 @@
 cd "$top_srcdir/src" || exit 1
 status=0
 
-# Elsewhere only -crosscheck and -advise, which -sandbox refuses, the sandbox itself, and io/replace.c in a folder
+# Elsewhere only -crosscheck, -advise and ranks, which -sandbox refuses, the sandbox itself, and io/replace.c in a folder
 # that the door has opened.
 calls='fopen|freopen|open|openat|openat2|creat|gzopen|gzopen64|opendir|scandir|nftw|ftw|glob|wordexp|mkdir|mkdirat'
 calls="$calls|mkdtemp|mkstemp|tmpfile|rename|renameat|unlink|unlinkat|remove|rmdir|chdir|fchdir|stat|lstat|fstatat|statx"
 calls="$calls|access|faccessat|statvfs|realpath|readlink|symlink|link|truncate|chmod|chown|utimensat|mkfifo|mknod|dlopen"
 found=$(grep -rnE "(^|[^_a-zA-Z.>])($calls)\(" --include='*.[ch]' . |
-	grep -vE '^\./(base/(files|sandbox|process)\.[ch]|crosscheck/(folder|inputs)\.c|advise/advise\.c|program/program_sandbox\.c|io/replace\.c):' |
+	grep -vE '^\./(base/(files|files_peers|sandbox|process)\.[ch]|crosscheck/(folder|inputs)\.c|advise/advise\.c|program/program_sandbox\.c|io/replace\.c):' |
 	grep -vE '^[^:]*:[0-9]+:[[:space:]]*(/\*|\*)')
 if [ -n "$found" ]; then
 	echo 'files are opened through base/files.h alone:'
@@ -28,7 +28,7 @@ if [ -n "$found" ]; then
 fi
 
 found=$(grep -rnE "(^|[^_a-zA-Z.>])(getenv|secure_getenv|setenv|putenv|unsetenv|clearenv)\(" --include='*.[ch]' . |
-	grep -vE '^\./(base/process\.c|core/(life|coeff)\.c|crosscheck/folder\.c|advise/advise\.c|program/program_(options|plot|sandbox)\.c|base/input_limit\.c|script/shell\.c|formula/variable_text\.c):')
+	grep -vE '^\./(base/process\.c|core/(life|coeff)\.c|crosscheck/folder\.c|advise/advise\.c|program/program_(options|plot|ranks|sandbox)\.c|base/input_limit\.c|script/shell\.c|formula/variable_text\.c):')
 if [ -n "$found" ]; then
 	echo 'who reads the environment must do without it in -sandbox:'
 	echo "$found"

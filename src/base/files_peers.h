@@ -1,0 +1,23 @@
+/* Files of several processes that execute the same script: base/files.h. All functions are called by all of them, in
+ * the same order, and return the same result and errno. */
+#ifndef TS_BASE_FILES_PEERS_H
+#define TS_BASE_FILES_PEERS_H
+
+#include "base/files.h"
+
+static inline bool ts_peers(const struct ts_files *files)
+{
+	return files && files->peers;
+}
+
+/* The result of the first one. */
+int ts_peers_agree(const struct ts_files_peers *peers, int result);
+/* The first one opens the file. The others get a copy of its bytes, or what they write is discarded. */
+FILE *ts_peers_open(const struct ts_files_peers *peers, const char *path, const char *mode);
+/* Of a file to read; -1. */
+int ts_peers_descriptor(const struct ts_files_peers *peers, const char *path);
+/* All that the first one reads from the descriptor; closes it. The others pass -1. */
+int ts_peers_copy(const struct ts_files_peers *peers, int from);
+int ts_peers_stat(const struct ts_files_peers *peers, const char *path, struct stat *out);
+
+#endif

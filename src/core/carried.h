@@ -1,0 +1,35 @@
+/* State by particle outside of its columns, such as the history of its contacts: rows that move with the particle
+ * when it changes to another rank. */
+#ifndef TS_CORE_CARRIED_H
+#define TS_CORE_CARRIED_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "rank/world.h"
+
+struct tsim;
+struct ts_instance;
+
+/* Rows of the same size, each with the identity of its particle before it. */
+struct ts_carried {
+	size_t bytes; /* of a row, without the identity */
+	struct ts_parcel rows;
+};
+
+struct ts_carrier {
+	/* Appends all rows and removes them from the state. `results`: with the forces of the last step, for
+	 * outputs. */
+	enum ts_status (*give)(struct ts_instance *self, struct tsim *sim, bool results,
+			       struct ts_carried *out);
+	/* Takes the rows of the local particles. */
+	enum ts_status (*take)(struct ts_instance *self, struct tsim *sim, const struct ts_carried *rows);
+};
+
+/* Appends a row of out->bytes bytes, which the caller writes; NULL: out of memory. */
+unsigned char *ts_carried_add(struct ts_carried *out, int32_t tag);
+size_t ts_carried_count(const struct ts_carried *rows);
+/* Row k; its particle. */
+const unsigned char *ts_carried_row(const struct ts_carried *rows, size_t k, int32_t *tag);
+
+#endif

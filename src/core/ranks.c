@@ -1,0 +1,103 @@
+#include "core/ranks.h"
+
+#include "core/plan.h"
+
+#include "base/banned.h"
+
+double ts_ranks_most(const struct tsim *sim, double value)
+{
+	if (sim->division)
+		ts_world_most(sim->world, &value, 1);
+	return value;
+}
+
+double ts_ranks_same(const struct tsim *sim, double value)
+{
+	if (sim->world && !sim->division)
+		ts_world_spread(sim->world, 0, &value, sizeof value);
+	return value;
+}
+
+enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where)
+{
+	if (ts_ranks(sim) == 1)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "%s does not work with several ranks yet (there are %d): run tsim without mpirun, "
+		       "with "
+		       "threads (OMP_NUM_THREADS); see doc/ranks.md",
+		       what, ts_ranks(sim));
+}
+
+/* A value that formulas, computes or fixes give would have to be computed by all ranks together. */
+static const struct ts_word *find_reference(struct ts_words words)
+{
+	for (size_t k = 0; k < words.n; k++) {
+		const char *text = words.word[k].text;
+
+		if ((text[0] == 'v' || text[0] == 'c' || text[0] == 'f') && text[1] == '_')
+			return &words.word[k];
+	}
+	return NULL;
+}
+
+enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
+			      struct ts_words words, const struct ts_place *where)
+{
+	const struct ts_word *reference;
+
+	if (ts_ranks(sim) == 1)
+		return TS_OK;
+	if (!style->ranks)
+		return ts_ranks_refuse(sim, what, where);
+	reference = style->ranks & TS_RANKS_OWN ? find_reference(words) : NULL;
+	if (!reference)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &reference->place,
+		       "%s: '%s' is a value that changes during a run, which does not work with several "
+		       "ranks yet "
+		       "(there are %d); see doc/ranks.md",
+		       what, reference->text, ts_ranks(sim));
+}
+
+enum ts_status ts_ranks_check_systems(struct tsim *sim)
+{
+	for (const struct ts_system_style *const *s = sim->tables->systems; ts_ranks(sim) > 1 && *s; s++) {
+		const char *why = (*s)->undivided ? (*s)->undivided(sim) : NULL;
+
+		if (why)
+			return ts_ranks_refuse(sim, why, ts_sim_word(sim, 0, NULL));
+	}
+	return TS_OK;
+}
+
+static bool stage_is_due(const struct ts_plan *plan, const struct tsim *sim, enum ts_stage stage)
+{
+	for (size_t k = 0; k < plan->n[stage]; k++) {
+		const struct ts_instance *self = plan->actions[stage][k].self;
+
+		if (self->style->ranks & TS_RANKS_WHOLE && (!self->style->due || self->style->due(self, sim)))
+			return true;
+	}
+	return false;
+}
+
+bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim)
+{
+	return sim->clock.step == sim->clock.last_step || sim->requests.saving || sim->requests.stop ||
+	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP) || stage_is_due(plan, sim, TS_STAGE_OUTPUT);
+}
+
+void ts_ranks_agree(struct tsim *sim)
+{
+	double flag[4] = { sim->run.rebuild, sim->world->stop, sim->world->save, sim->run.relist };
+
+	ts_world_most(sim->world, flag, 4);
+	sim->run.rebuild = flag[0] > 0;
+	sim->run.relist = flag[3] > 0;
+	if (flag[1] > 0)
+		sim->requests.stop = 1;
+	if (flag[2] > 0)
+		sim->requests.save = 1;
+	sim->world->stop = sim->world->save = 0;
+}

@@ -1,0 +1,41 @@
+/* What styles do with several ranks, and what all ranks agree on. doc/ranks.md.
+ *
+ * Outside of steps, and in the stages END_OF_STEP and OUTPUT of steps in which one of their hooks needs it, each
+ * rank has the whole simulation, and all execute the same commands and functions. In the other stages the particles
+ * are divided: each rank has those of its block of space and copies of those near it. */
+#ifndef TS_CORE_RANKS_H
+#define TS_CORE_RANKS_H
+
+#include "core/sim.h"
+
+/* Number of ranks. */
+static inline int ts_ranks(const struct tsim *sim)
+{
+	return sim->world ? sim->world->n : 1;
+}
+
+/* Whether this is the rank that does what may be done once only, such as printing. */
+static inline bool ts_ranks_first(const struct tsim *sim)
+{
+	return !sim->world || sim->world->rank == 0;
+}
+
+/* The largest of the values of all ranks while the particles are divided, else the value itself. */
+double ts_ranks_most(const struct tsim *sim, double value);
+/* The number of the first rank: for what is not the same on all, such as times. */
+double ts_ranks_same(const struct tsim *sim, double value);
+
+/* With several ranks returns an error if the style is not made for them, or an argument of a fix is a value that they
+ * would have to compute together. `what`: kind and name for the message. */
+enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
+			      struct ts_words words, const struct ts_place *where);
+/* The same for an option; `what`: its name. */
+enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
+/* Before a run: asks all systems whether the particles can be divided. */
+enum ts_status ts_ranks_check_systems(struct tsim *sim);
+/* Whether a hook of END_OF_STEP or OUTPUT of this step needs all particles on each rank. */
+bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);
+/* After CHECK: all ranks rebuild the contact list, end or save if one of them wants it. */
+void ts_ranks_agree(struct tsim *sim);
+
+#endif

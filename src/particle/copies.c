@@ -1,0 +1,222 @@
+#include "particle/copies.h"
+
+#include <string.h>
+
+#include "particle/columns.h"
+#include "particle/division.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_copies_init(struct ts_copies *copies, int ranks)
+{
+	size_t n = (size_t)ranks;
+
+	copies->received = ts_alloc(n, sizeof *copies->received);
+	copies->sent = ts_alloc(n, sizeof *copies->sent);
+	copies->out = ts_alloc(n, sizeof *copies->out);
+	copies->in = ts_alloc(n, sizeof *copies->in);
+	return copies->received && copies->sent && copies->out && copies->in ? TS_OK : TS_NOMEM;
+}
+
+void ts_copies_release(struct ts_copies *copies, int ranks)
+{
+	for (int r = 0; r < ranks; r++) {
+		if (copies->out)
+			ts_parcel_release(&copies->out[r]);
+		if (copies->in)
+			ts_parcel_release(&copies->in[r]);
+	}
+	ts_free(copies->received);
+	ts_free(copies->sent);
+	ts_free(copies->row);
+	ts_free(copies->out);
+	ts_free(copies->in);
+}
+
+size_t ts_copies(const struct tsim *sim)
+{
+	return sim->division ? sim->division->copies.n : 0;
+}
+
+/* ---- rows of all columns */
+
+size_t ts_copies_row_bytes(const struct ts_particles *p)
+{
+	size_t bytes = 0;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			bytes += p->column[k].element * p->column[k].width;
+	return bytes;
+}
+
+enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out)
+{
+	unsigned char *to = ts_parcel_extend(out, ts_copies_row_bytes(p));
+
+	if (!to)
+		return TS_NOMEM;
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+		size_t bytes = c->element * c->width;
+
+		if (!c->active)
+			continue;
+		memcpy(to, (const char *)c->data + i * bytes, bytes);
+		to += bytes;
+	}
+	return TS_OK;
+}
+
+void ts_copies_unpack(const struct ts_particles *p, size_t i, const unsigned char *from)
+{
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+		size_t bytes = c->element * c->width;
+
+		if (!c->active)
+			continue;
+		memcpy((char *)c->data + i * bytes, from, bytes);
+		from += bytes;
+	}
+}
+
+/* ---- making copies */
+
+static enum ts_status list_sent_to(struct tsim *sim, struct ts_copies *c, int rank, double cutoff, size_t *n)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_rank_blocks *blocks = &sim->division->blocks;
+	size_t first = *n;
+
+	for (size_t i = 0; rank != sim->world->rank && i < p->n; i++) {
+		if (!ts_rank_blocks_reach(blocks, rank, p->xhold[i], cutoff))
+			continue;
+		if (TS_GROW(c->row, c->row_capacity, *n + 1) != TS_OK ||
+		    ts_copies_pack(p, i, &c->out[rank]) != TS_OK)
+			return ts_nomem(&sim->error);
+		c->row[(*n)++] = (int32_t)i;
+	}
+	c->sent[rank] = *n - first;
+	return TS_OK;
+}
+
+static enum ts_status add_received(struct tsim *sim, struct ts_copies *c, int rank)
+{
+	struct ts_particles *p = sim->particles;
+	size_t bytes = ts_copies_row_bytes(p), n = rank == sim->world->rank ? 0 : c->in[rank].n / bytes;
+
+	TS_TRY(ts_particles_reserve_ghosts(sim, p->nghost + n));
+	for (size_t k = 0; k < n; k++) {
+		size_t g = p->nghost++;
+
+		ts_copies_unpack(p, p->n + g, c->in[rank].data + k * bytes);
+		p->ghost_owner[g] = (int32_t)(p->n + g);
+		memset(p->ghost_shift[g], 0, sizeof p->ghost_shift[g]);
+	}
+	c->received[rank] = n;
+	c->n += n;
+	return TS_OK;
+}
+
+enum ts_status ts_copies_make(struct tsim *sim, double cutoff)
+{
+	struct ts_copies *c = &sim->division->copies;
+	size_t n = 0;
+
+	c->n = 0;
+	for (int r = 0; r < sim->world->n; r++) {
+		c->out[r].n = 0;
+		TS_TRY(list_sent_to(sim, c, r, cutoff, &n));
+	}
+	if (ts_world_deliver(sim->world, c->out, c->in) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (int r = 0; r < sim->world->n; r++)
+		TS_TRY(add_received(sim, c, r));
+	sim->division->built++;
+	sim->division->made += (int64_t)c->n;
+	return TS_OK;
+}
+
+/* ---- in each step */
+
+static bool is_forwarded(const struct ts_column *c)
+{
+	return c->active && c->flags & TS_COL_FORWARD;
+}
+
+static size_t forward_bytes(const struct ts_particles *p)
+{
+	size_t bytes = 0;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (is_forwarded(&p->column[k]))
+			bytes += p->column[k].element * p->column[k].width;
+	return bytes;
+}
+
+/* A constant size lets the compiler inline memcpy. */
+static void collect_rows(unsigned char *to, const struct ts_column *c, const int32_t *row, size_t n)
+{
+	const char *data = c->data;
+	size_t bytes = c->element * c->width;
+
+	if (bytes == 3 * sizeof(double))
+		for (size_t k = 0; k < n; k++)
+			memcpy(to + 3 * sizeof(double) * k, data + 3 * sizeof(double) * (size_t)row[k],
+			       3 * sizeof(double));
+	else
+		for (size_t k = 0; k < n; k++)
+			memcpy(to + bytes * k, data + bytes * (size_t)row[k], bytes);
+}
+
+/* The parcels were as large when the copies were made, so that there is room. */
+static void pack_forwarded(const struct ts_particles *p, const int32_t *row, size_t n, struct ts_parcel *out)
+{
+	out->n = 0;
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+
+		if (!is_forwarded(c))
+			continue;
+		collect_rows(out->data + out->n, c, row, n);
+		out->n += n * c->element * c->width;
+	}
+}
+
+static void unpack_forwarded(const struct ts_particles *p, size_t first, size_t n, const struct ts_parcel *in)
+{
+	size_t at = 0;
+
+	for (size_t k = 0; n && k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+		size_t bytes = c->element * c->width;
+
+		if (!is_forwarded(c))
+			continue;
+		memcpy((char *)c->data + first * bytes, in->data + at, n * bytes);
+		at += n * bytes;
+	}
+}
+
+void ts_copies_forward(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_copies *c;
+	size_t row = 0, ghost = p->n, bytes;
+
+	if (!sim->division)
+		return;
+	c = &sim->division->copies;
+	bytes = forward_bytes(p);
+	for (int r = 0; r < sim->world->n; r++) {
+		pack_forwarded(p, c->row + row, c->sent[r], &c->out[r]);
+		row += c->sent[r];
+		c->in[r].n = c->received[r] * bytes;
+	}
+	ts_world_swap(sim->world, c->out, c->in);
+	for (int r = 0; r < sim->world->n; r++) {
+		unpack_forwarded(p, ghost, c->received[r], &c->in[r]);
+		ghost += c->received[r];
+	}
+}

@@ -1,0 +1,35 @@
+/* Copies of particles of other ranks: the first ghosts, exact in all columns when they are made, and up to date in the
+ * columns that are forwarded to ghosts in each step. Their periodic images are ghosts like those of local particles.
+ */
+#ifndef TS_PARTICLE_COPIES_H
+#define TS_PARTICLE_COPIES_H
+
+#include "particle/particles.h"
+
+/* Copies that a rank has, and that it sends. */
+struct ts_copies {
+	size_t n;	  /* ghosts 0 .. n-1 */
+	size_t *received; /* by rank: how many of them, in this order */
+	size_t *sent;	  /* by rank: how many of `row` */
+	int32_t *row;	  /* local particles that are sent, rank by rank */
+	size_t row_capacity;
+	struct ts_parcel *out, *in; /* by rank */
+};
+
+enum ts_status ts_copies_init(struct ts_copies *copies, int ranks);
+void ts_copies_release(struct ts_copies *copies, int ranks);
+
+/* Number of copies; 0 without ranks. */
+size_t ts_copies(const struct tsim *sim);
+/* Makes the copies of all particles of other ranks that are, or have a periodic image, within `cutoff` of the block
+ * of this one. */
+enum ts_status ts_copies_make(struct tsim *sim, double cutoff);
+/* Updates the columns that change in each step. */
+void ts_copies_forward(struct tsim *sim);
+
+/* Appends all columns of row i to a parcel; the bytes of one; writes them to row i. */
+enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out);
+size_t ts_copies_row_bytes(const struct ts_particles *p);
+void ts_copies_unpack(const struct ts_particles *p, size_t i, const unsigned char *bytes);
+
+#endif

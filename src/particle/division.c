@@ -1,0 +1,486 @@
+#include "particle/division.h"
+
+#include <string.h>
+
+#include "base/sort.h"
+#include "box/domain.h"
+#include "core/plan.h"
+#include "core/ranks.h"
+#include "particle/columns.h"
+#include "particle/identity.h"
+
+#include "base/banned.h"
+
+/* ---- blocks */
+
+static enum ts_status cut_blocks(struct tsim *sim, struct ts_division *d, const double lo[3],
+				 const double hi[3])
+{
+	const struct ts_box *box = &sim->domain->box;
+	bool periodic[3];
+
+	for (int k = 0; k < 3; k++)
+		periodic[k] = ts_box_periodic(box, k);
+	return ts_rank_blocks_cut(&d->blocks, d->blocks.count, lo, hi, periodic) ? TS_OK
+										 : ts_nomem(&sim->error);
+}
+
+static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d)
+{
+	const struct ts_domain *domain = sim->domain;
+	int count[3];
+	double length[3];
+
+	for (int k = 0; k < 3; k++)
+		length[k] = domain->held_hi[k] - domain->held_lo[k];
+	if (!ts_rank_blocks_choose(sim->world->n, domain->processors, length, sim->dimension, count))
+		return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 0, NULL),
+			       "processors: %d ranks cannot be arranged in a grid of %d x %d x %d (0: any "
+			       "number)",
+			       sim->world->n, domain->processors[0], domain->processors[1],
+			       domain->processors[2]);
+	if (memcmp(count, d->blocks.count, sizeof count) != 0)
+		ts_rank_blocks_release(&d->blocks);
+	memcpy(d->blocks.count, count, sizeof count);
+	return cut_blocks(sim, d, domain->held_lo, domain->held_hi);
+}
+
+bool ts_division_near(const struct tsim *sim, int dim, double x, double reach)
+{
+	return !sim->division || ts_rank_blocks_near(&sim->division->blocks, sim->world->rank, dim, x, reach);
+}
+
+const char *ts_division_refused(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	if (sim->domain->box.shear.on)
+		return "a sheared box";
+	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
+		if (p->dynamic[bit].every)
+			return "a dynamic group";
+	if (sim->legacy)
+		return "legacy";
+	if (sim->outside)
+		return "a program around tsim";
+	return p->liquid ? "liquid on particles" : NULL;
+}
+
+/* ---- rows of carriers */
+
+static void release_carried(struct ts_division *d)
+{
+	for (size_t k = 0; k < d->ncarried; k++)
+		ts_parcel_release(&d->carried[k].rows);
+	d->ncarried = 0;
+}
+
+void ts_division_free(struct ts_division *d)
+{
+	if (!d)
+		return;
+	release_carried(d);
+	ts_free(d->carried);
+	ts_str_release(&d->said);
+	ts_rank_blocks_release(&d->blocks);
+	ts_copies_release(&d->copies, d->ranks);
+	ts_free(d);
+}
+
+/* The live styles with a carrier, in the order of kinds: *kind and *k start at 0; NULL: there are no more. */
+static struct ts_instance *next_carrier(const struct tsim *sim, int *kind, size_t *k)
+{
+	for (; *kind < TS_NKIND; ++*kind, *k = 0)
+		while (*k < sim->instances[*kind].n) {
+			struct ts_instance *inst = sim->instances[*kind].item[(*k)++];
+
+			if (inst->style->carrier)
+				return inst;
+		}
+	return NULL;
+}
+
+static enum ts_status give_all(struct tsim *sim, struct ts_division *d, bool results)
+{
+	struct ts_instance *inst;
+	int kind = 0;
+	size_t k = 0;
+
+	release_carried(d);
+	while ((inst = next_carrier(sim, &kind, &k))) {
+		if (TS_GROW(d->carried, d->carried_capacity, d->ncarried + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		d->carried[d->ncarried] = (struct ts_carried){ 0 };
+		TS_TRY(inst->style->carrier->give(inst, sim, results, &d->carried[d->ncarried++]));
+	}
+	return TS_OK;
+}
+
+static enum ts_status take_all(struct tsim *sim, struct ts_division *d)
+{
+	struct ts_instance *inst;
+	int kind = 0;
+	size_t k = 0, n = 0;
+
+	while ((inst = next_carrier(sim, &kind, &k)))
+		TS_TRY(inst->style->carrier->take(inst, sim, &d->carried[n++]));
+	release_carried(d);
+	return TS_OK;
+}
+
+/* Puts each row into the parcel of rank to[i], where i is its particle; without `to` into parcel 0. Rows of particles
+ * that this rank does not have are appended to `away`, or left out if it is NULL. */
+static enum ts_status sort_rows(struct tsim *sim, const struct ts_carried *rows, const int32_t *to,
+				struct ts_parcel *out, struct ts_carried *away)
+{
+	size_t n = ts_carried_count(rows);
+	struct ts_identities map;
+
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < n; k++) {
+		int32_t tag, i;
+		const unsigned char *row = ts_carried_row(rows, k, &tag);
+		struct ts_parcel *parcel;
+
+		i = ts_identity_row(&map, tag);
+		if (i < 0 && !away)
+			continue;
+		parcel = i < 0 ? &away->rows : &out[to ? to[i] : 0];
+		if (ts_parcel_add(parcel, row - sizeof tag, sizeof tag + rows->bytes) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+static enum ts_status keep_local_rows(struct tsim *sim, struct ts_carried *rows)
+{
+	struct ts_parcel kept = { 0 };
+	enum ts_status status = sort_rows(sim, rows, NULL, &kept, NULL);
+
+	ts_parcel_release(&rows->rows);
+	rows->rows = kept;
+	return status;
+}
+
+/* Sends out[r] to each rank r; the rows become what is received. */
+static enum ts_status deliver_rows(struct tsim *sim, struct ts_carried *rows, struct ts_parcel *out)
+{
+	struct ts_parcel *in = sim->division->copies.in;
+	enum ts_status status;
+
+	status = ts_world_deliver(sim->world, out, in);
+	rows->rows.n = 0;
+	for (int r = 0; r < sim->world->n; r++) {
+		if (status == TS_OK)
+			status = ts_parcel_add(&rows->rows, in[r].data, in[r].n);
+	}
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+static struct ts_parcel *empty_parcels(const struct tsim *sim)
+{
+	struct ts_parcel *out = sim->division->copies.out;
+
+	for (int r = 0; r < sim->world->n; r++)
+		out[r].n = 0;
+	return out;
+}
+
+static int compare_tags(const void *a, const void *b)
+{
+	const int32_t *x = a, *y = b;
+
+	return (x[0] > y[0]) - (x[0] < y[0]);
+}
+
+/* The copies, sorted: identity, rank. */
+static int32_t (*sorted_copies(const struct tsim *sim))[2]
+{
+	const struct ts_copies *c = &sim->division->copies;
+	const int32_t *tag = sim->particles->tag + sim->particles->n;
+	int32_t(*list)[2] = ts_alloc(c->n + 1, sizeof *list);
+	size_t k = 0;
+
+	for (int r = 0; list && r < sim->world->n; r++)
+		for (size_t end = k + c->received[r]; k < end; k++) {
+			list[k][0] = tag[k];
+			list[k][1] = (int32_t)r;
+		}
+	if (list)
+		ts_sort(list, c->n, sizeof *list, compare_tags);
+	return list;
+}
+
+/* Rows of copies are sent to the ranks of their originals. */
+static enum ts_status send_rows_home(struct tsim *sim, struct ts_carried *rows, int32_t (*copy)[2])
+{
+	struct ts_carried local = { .bytes = rows->bytes }, away = { .bytes = rows->bytes };
+	struct ts_parcel *out = empty_parcels(sim);
+	enum ts_status status = sort_rows(sim, rows, NULL, &local.rows, &away);
+	size_t n = status == TS_OK ? ts_carried_count(&away) : 0;
+
+	for (size_t k = 0; k < n && status == TS_OK; k++) {
+		int32_t tag;
+		const unsigned char *row = ts_carried_row(&away, k, &tag);
+		const int32_t *found =
+			bsearch(&tag, copy, sim->division->copies.n, sizeof *copy, compare_tags);
+
+		if (found &&
+		    ts_parcel_add(&out[found[1]], row - sizeof tag, sizeof tag + rows->bytes) != TS_OK)
+			status = ts_nomem(&sim->error);
+	}
+	if (status == TS_OK)
+		status = deliver_rows(sim, rows, out);
+	if (status == TS_OK && ts_parcel_add(&rows->rows, local.rows.data, local.rows.n) != TS_OK)
+		status = ts_nomem(&sim->error);
+	ts_parcel_release(&local.rows);
+	ts_parcel_release(&away.rows);
+	return status;
+}
+
+enum ts_status ts_division_let_go(struct tsim *sim)
+{
+	struct ts_division *d = sim->division;
+	int32_t(*copy)[2] = NULL;
+	enum ts_status status;
+
+	if (!d)
+		return TS_OK;
+	TS_TRY(give_all(sim, d, false));
+	copy = sorted_copies(sim);
+	status = copy ? TS_OK : ts_nomem(&sim->error);
+	for (size_t k = 0; k < d->ncarried && status == TS_OK; k++)
+		status = send_rows_home(sim, &d->carried[k], copy);
+	ts_free(copy);
+	return status;
+}
+
+/* ---- migration */
+
+static enum ts_status append_particles(struct tsim *sim, const struct ts_parcel *in)
+{
+	struct ts_particles *p = sim->particles;
+	size_t bytes = ts_copies_row_bytes(p), n = in->n / bytes;
+
+	p->nghost = 0;
+	TS_TRY(ts_particles_reserve(sim, p->n + n));
+	for (size_t k = 0; k < n; k++)
+		ts_copies_unpack(p, p->n++, in->data + k * bytes);
+	sim->generation++;
+	return TS_OK;
+}
+
+/* Particles with to[i] of other ranks are sent there. */
+static enum ts_status send_particles(struct tsim *sim, const int32_t *to, unsigned char *gone)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_division *d = sim->division;
+	struct ts_parcel *out = empty_parcels(sim);
+	size_t before;
+
+	for (size_t i = 0; i < p->n; i++) {
+		gone[i] = to[i] != sim->world->rank;
+		if (gone[i] && ts_copies_pack(p, i, &out[to[i]]) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	if (ts_world_deliver(sim->world, out, d->copies.in) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_particles_delete(sim, gone));
+	before = p->n;
+	for (int r = 0; r < sim->world->n; r++)
+		if (r != sim->world->rank)
+			TS_TRY(append_particles(sim, &d->copies.in[r]));
+	d->moved += (int64_t)(p->n - before);
+	return TS_OK;
+}
+
+static enum ts_status send_all(struct tsim *sim, const int32_t *to, unsigned char *gone)
+{
+	struct ts_division *d = sim->division;
+
+	for (size_t k = 0; k < d->ncarried; k++) {
+		struct ts_parcel *out = empty_parcels(sim);
+
+		TS_TRY(sort_rows(sim, &d->carried[k], to, out, NULL));
+		TS_TRY(deliver_rows(sim, &d->carried[k], out));
+	}
+	TS_TRY(send_particles(sim, to, gone));
+	return take_all(sim, d);
+}
+
+enum ts_status ts_division_migrate(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	int32_t *to;
+	unsigned char *gone;
+	enum ts_status status;
+
+	if (!sim->division)
+		return TS_OK;
+	TS_TRY(cut_blocks(sim, sim->division, sim->domain->box.lo, sim->domain->box.hi));
+	to = ts_alloc(p->n, sizeof *to);
+	gone = ts_alloc(p->n, sizeof *gone);
+	status = to && gone ? TS_OK : ts_nomem(&sim->error);
+	for (size_t i = 0; status == TS_OK && i < p->n; i++)
+		to[i] = (int32_t)ts_rank_blocks_owner(&sim->division->blocks, p->x[i]);
+	if (status == TS_OK)
+		status = send_all(sim, to, gone);
+	ts_free(to);
+	ts_free(gone);
+	return status;
+}
+
+enum ts_status ts_division_agree_lost(struct tsim *sim, int64_t before)
+{
+	struct ts_particles *p = sim->particles;
+	uint64_t *lost;
+
+	if (!sim->division)
+		return TS_OK;
+	p->lost_warned = ts_ranks_most(sim, p->lost_warned) > 0;
+	lost = ts_alloc((size_t)sim->world->n, sizeof *lost);
+	if (!lost)
+		return ts_nomem(&sim->error);
+	for (int r = 0; r < sim->world->n; r++)
+		lost[r] = (uint64_t)(p->lost - before);
+	sim->world->call->transpose(sim->world, lost);
+	p->lost = before;
+	for (int r = 0; r < sim->world->n; r++)
+		p->lost += (int64_t)lost[r];
+	ts_free(lost);
+	return TS_OK;
+}
+
+/* ---- all particles on each rank, and back */
+
+/* Makes ghosts and lists of contacts again, from the positions of the last rebuild, as a continued run does. */
+static enum ts_status remake_lists(struct ts_plan *plan, struct tsim *sim, struct ts_division *d)
+{
+	enum ts_status status;
+
+	sim->run.resuming = d->rebuilding = true;
+	status = ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD);
+	sim->run.resuming = d->rebuilding = false;
+	return status;
+}
+
+static enum ts_status keep_own_particles(struct tsim *sim, const struct ts_division *d)
+{
+	const struct ts_particles *p = sim->particles;
+	unsigned char *gone = ts_alloc(p->n, sizeof *gone);
+	enum ts_status status = gone ? TS_OK : ts_nomem(&sim->error);
+
+	for (size_t i = 0; gone && i < p->n; i++)
+		gone[i] = ts_rank_blocks_owner(&d->blocks, p->xhold[i]) != sim->world->rank;
+	if (gone)
+		status = ts_particles_delete(sim, gone);
+	ts_free(gone);
+	return status;
+}
+
+static enum ts_status make_division(struct tsim *sim)
+{
+	struct ts_division *d = ts_alloc(1, sizeof *d);
+
+	sim->particles->division = d;
+	if (!d)
+		return ts_nomem(&sim->error);
+	d->ranks = sim->world->n;
+	return ts_copies_init(&d->copies, d->ranks) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+static void keep_warning(void *data, enum ts_log_level level, const char *text)
+{
+	struct ts_division *d = data;
+
+	if (level == TS_LOG_WARNING)
+		ts_str_addf(&d->said, "%s\n", text);
+}
+
+/* While the particles are divided the ranks do not warn of the same; the first one prints for all. */
+static void listen(struct tsim *sim, struct ts_division *d)
+{
+	if (ts_ranks_first(sim))
+		return;
+	sim->log.sink = d ? keep_warning : NULL;
+	sim->log.sink_data = d;
+}
+
+enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
+{
+	struct ts_division *d;
+
+	if (!sim->particles->division)
+		TS_TRY(make_division(sim));
+	d = sim->particles->division;
+	ts_deferred_loops_run(sim);
+	TS_TRY(give_all(sim, d, false));
+	TS_TRY(choose_blocks(sim, d));
+	TS_TRY(keep_own_particles(sim, d));
+	for (size_t k = 0; k < d->ncarried; k++)
+		TS_TRY(keep_local_rows(sim, &d->carried[k]));
+	listen(sim, d);
+	sim->division = d;
+	TS_TRY(take_all(sim, d));
+	return remake_lists(plan, sim, d);
+}
+
+static enum ts_status share_particles(struct tsim *sim, struct ts_division *d)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_parcel mine = { 0 }, all = { 0 };
+	enum ts_status status = TS_OK;
+
+	d->most = (size_t)ts_ranks_most(sim, (double)p->n);
+	d->least = (size_t)-ts_ranks_most(sim, -(double)p->n);
+	for (size_t i = 0; i < p->n && status == TS_OK; i++)
+		status = ts_copies_pack(p, i, &mine);
+	if (status == TS_OK)
+		status = ts_world_share(sim->world, &mine, &all);
+	p->n = p->nghost = d->copies.n = 0;
+	status = status == TS_OK ? append_particles(sim, &all) : ts_nomem(&sim->error);
+	ts_parcel_release(&mine);
+	ts_parcel_release(&all);
+	return status;
+}
+
+static enum ts_status share_rows(struct tsim *sim, struct ts_carried *rows)
+{
+	struct ts_parcel all = { 0 };
+	enum ts_status status = ts_world_share(sim->world, &rows->rows, &all);
+
+	ts_parcel_release(&rows->rows);
+	rows->rows = all;
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status print_warnings(struct tsim *sim, struct ts_division *d)
+{
+	struct ts_parcel mine = { .data = (unsigned char *)d->said.text, .n = d->said.length }, all = { 0 };
+	enum ts_status status = ts_world_share(sim->world, &mine, &all);
+
+	if (status == TS_OK && all.n)
+		ts_log(&sim->log, "%.*s", (int)all.n, (const char *)all.data);
+	ts_parcel_release(&all);
+	ts_str_clear(&d->said);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim)
+{
+	struct ts_division *d = sim->division;
+
+	ts_deferred_loops_run(sim);
+	TS_TRY(give_all(sim, d, true));
+	for (size_t k = 0; k < d->ncarried; k++)
+		TS_TRY(keep_local_rows(sim, &d->carried[k]));
+	TS_TRY(share_particles(sim, d));
+	for (size_t k = 0; k < d->ncarried; k++)
+		TS_TRY(share_rows(sim, &d->carried[k]));
+	TS_TRY(print_warnings(sim, d));
+	listen(sim, NULL);
+	sim->division = NULL;
+	d->gathered++;
+	TS_TRY(take_all(sim, d));
+	return remake_lists(plan, sim, d);
+}

@@ -1,0 +1,47 @@
+/* Particles divided among ranks: each has those in its block of space, by their positions at the last rebuild of the
+ * contact list, and copies of those near it. Everything that belongs to a particle moves with it: its columns, and the
+ * rows of styles with a carrier (core/carried.h).
+ *
+ * Bits do not depend on the ranks: an image or a copy has the numbers of its original, each rank computes the contacts
+ * of its own particles, also those with copies, and sums them in the order of the partners' identities. */
+#ifndef TS_PARTICLE_DIVISION_H
+#define TS_PARTICLE_DIVISION_H
+
+#include "core/carried.h"
+#include "particle/copies.h"
+#include "rank/blocks.h"
+
+struct ts_plan;
+
+struct ts_division {
+	int ranks;
+	struct ts_rank_blocks blocks;
+	struct ts_copies copies;
+	struct ts_carried *carried; /* [ncarried], by live style with a carrier */
+	size_t ncarried, carried_capacity;
+	bool rebuilding;     /* lists are made again for other particles: it is no rebuild of the run */
+	struct ts_str said;  /* warnings of this rank, which the first one is to print */
+	int64_t built, made; /* how often copies were made, and how many */
+	int64_t moved;	     /* particles that have come from other ranks */
+	int64_t gathered;    /* how often all ranks got all particles */
+	size_t least, most;  /* fewest and most particles of a rank when they were gathered last */
+};
+
+/* Slots of struct ts_tables. */
+enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim);
+enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim);
+/* Slot of the system of particles. */
+const char *ts_division_refused(const struct tsim *sim);
+void ts_division_free(struct ts_division *division);
+
+/* In EXCHANGE, before particles are deleted: takes the rows of all carriers. */
+enum ts_status ts_division_let_go(struct tsim *sim);
+/* After that: moves particles and their rows to the ranks of their new positions. */
+enum ts_status ts_division_migrate(struct tsim *sim);
+/* p->lost, which was `before`, and lost_warned become the same on all ranks. */
+enum ts_status ts_division_agree_lost(struct tsim *sim, int64_t before);
+
+/* Whether the coordinate x is within `reach` of the block of this rank; without ranks always. */
+bool ts_division_near(const struct tsim *sim, int dim, double x, double reach);
+
+#endif

@@ -1,0 +1,282 @@
+/* All operations are started without blocking and then polled: so the first rank learns while it waits that another one
+ * has failed, prints its message and ends all. */
+#include "program/program_ranks.h"
+
+#include <sched.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifdef TS_WITH_MPI
+#include <mpi.h>
+#endif
+
+#include "base/alloc.h"
+#include "base/clock.h"
+#include "base/str.h"
+
+#include "base/banned.h"
+
+/* Variables by which the usual launchers tell how many processes they have started, or that they have. */
+static const char *const numbers[] = { "OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE" };
+
+static int64_t started_processes(void)
+{
+	int64_t n;
+
+	for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+		const char *text = getenv(numbers[k]);
+
+		if (text && ts_parse_int(text, &n))
+			return n;
+	}
+	return 1;
+}
+
+static void spread_bytes(void *data, void *bytes, size_t n)
+{
+	ts_world_spread(data, 0, bytes, n);
+}
+
+struct ts_files_peers ts_program_ranks_files(struct ts_world *world)
+{
+	return (struct ts_files_peers){ .first = world->rank == 0, .spread = spread_bytes, .data = world };
+}
+
+#ifndef TS_WITH_MPI
+
+struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why)
+{
+	(void)argc;
+	(void)argv;
+	if (started_processes() > 1)
+		*why = "this tsim was built without MPI, so that mpirun would only run the same script "
+		       "several times: "
+		       "install libopenmpi-dev and run configure --with-mpi again, or use threads "
+		       "(OMP_NUM_THREADS)";
+	return NULL;
+}
+
+void ts_program_ranks_end(struct ts_world *world)
+{
+	(void)world;
+}
+
+void ts_program_ranks_fail(struct ts_world *world, const char *message)
+{
+	(void)world;
+	(void)message;
+}
+
+void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data)
+{
+	(void)world;
+	(void)report;
+	(void)data;
+}
+
+#else
+
+struct mpi {
+	struct ts_world base;
+	MPI_Comm all, trouble; /* trouble: messages of ranks that have failed */
+	MPI_Request *request;  /* [capacity] */
+	size_t capacity;
+	ts_program_report_fn *report;
+	void *report_data;
+};
+
+enum {
+	PIECE = 1 << 30, /* bytes of a message: MPI counts with int */
+	SPINS = 200,	 /* polls before the processor is offered to others */
+	MESSAGE = 8192,	 /* bytes of an error message */
+	PATIENCE = 60	 /* s until a rank ends all by itself, if the first one does not */
+};
+
+static void abort_all(struct mpi *m)
+{
+	MPI_Abort(m->all, EXIT_FAILURE);
+	_exit(EXIT_FAILURE);
+}
+
+/* On the first rank: prints the message of a rank that has failed, and ends all. */
+static void look_for_trouble(struct mpi *m)
+{
+	char text[MESSAGE] = "";
+	MPI_Status status;
+	int there = 0, n = 0;
+
+	MPI_Iprobe(MPI_ANY_SOURCE, 0, m->trouble, &there, &status);
+	if (!there)
+		return;
+	MPI_Get_count(&status, MPI_BYTE, &n);
+	MPI_Recv(text, n < MESSAGE ? n : MESSAGE, MPI_BYTE, status.MPI_SOURCE, 0, m->trouble,
+		 MPI_STATUS_IGNORE);
+	text[MESSAGE - 1] = '\0';
+	if (m->report)
+		m->report(m->report_data, text);
+	abort_all(m);
+}
+
+static void wait_for(struct mpi *m, MPI_Request *request, int n)
+{
+	int done = 0;
+
+	for (int spin = 0;; spin++) {
+		MPI_Testall(n, request, &done, MPI_STATUSES_IGNORE);
+		if (done)
+			return;
+		if (m->base.rank == 0 && spin % SPINS == SPINS - 1)
+			look_for_trouble(m);
+		if (spin > SPINS)
+			sched_yield();
+	}
+}
+
+static void most(struct ts_world *world, double *value, size_t n)
+{
+	struct mpi *m = (struct mpi *)world;
+	MPI_Request request;
+
+	MPI_Iallreduce(MPI_IN_PLACE, value, (int)n, MPI_DOUBLE, MPI_MAX, m->all, &request);
+	wait_for(m, &request, 1);
+}
+
+static void spread(struct ts_world *world, int from, void *bytes, size_t n)
+{
+	struct mpi *m = (struct mpi *)world;
+	char *at = bytes;
+
+	while (n) {
+		size_t piece = n < PIECE ? n : PIECE;
+		MPI_Request request;
+
+		MPI_Ibcast(at, (int)piece, MPI_BYTE, from, m->all, &request);
+		wait_for(m, &request, 1);
+		at += piece;
+		n -= piece;
+	}
+}
+
+static void transpose(struct ts_world *world, uint64_t *number)
+{
+	struct mpi *m = (struct mpi *)world;
+	MPI_Request request;
+
+	MPI_Ialltoall(MPI_IN_PLACE, 1, MPI_UINT64_T, number, 1, MPI_UINT64_T, m->all, &request);
+	wait_for(m, &request, 1);
+}
+
+static MPI_Request *next_request(struct mpi *m, size_t *n)
+{
+	if (TS_GROW(m->request, m->capacity, *n + 1) != TS_OK)
+		ts_program_ranks_fail(&m->base, "tsim: error: out of memory\n");
+	return &m->request[(*n)++];
+}
+
+/* Large parcels go in pieces, which arrive in the order in which they were sent. */
+static void swap(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in)
+{
+	struct mpi *m = (struct mpi *)world;
+	size_t n = 0;
+
+	for (int r = 0; r < world->n; r++)
+		for (size_t at = 0; r != world->rank && at < in[r].n; at += PIECE) {
+			size_t piece = in[r].n - at < PIECE ? in[r].n - at : PIECE;
+
+			MPI_Irecv(in[r].data + at, (int)piece, MPI_BYTE, r, 0, m->all, next_request(m, &n));
+		}
+	for (int r = 0; r < world->n; r++)
+		for (size_t at = 0; r != world->rank && at < out[r].n; at += PIECE) {
+			size_t piece = out[r].n - at < PIECE ? out[r].n - at : PIECE;
+
+			MPI_Isend(out[r].data + at, (int)piece, MPI_BYTE, r, 0, m->all, next_request(m, &n));
+		}
+	wait_for(m, m->request, (int)n);
+}
+
+static const struct ts_world_functions functions = { most, spread, transpose, swap };
+
+static bool was_started_by_launcher(void)
+{
+	bool found = getenv("PMIX_RANK") != NULL;
+
+	for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
+		found |= getenv(numbers[k]) != NULL;
+	return found;
+}
+
+struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why)
+{
+	struct mpi *m;
+	int given;
+
+	if (!was_started_by_launcher())
+		return NULL;
+	MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
+	m = ts_alloc(1, sizeof *m);
+	if (!m) {
+		*why = "out of memory";
+		return NULL;
+	}
+	m->base.call = &functions;
+	MPI_Comm_dup(MPI_COMM_WORLD, &m->all);
+	MPI_Comm_dup(MPI_COMM_WORLD, &m->trouble);
+	MPI_Comm_rank(m->all, &m->base.rank);
+	MPI_Comm_size(m->all, &m->base.n);
+	if (m->base.n == 1 && started_processes() > 1)
+		*why = "mpirun has started several processes, but each of them is alone: tsim was built with "
+		       "another MPI "
+		       "than that of this mpirun";
+	return &m->base;
+}
+
+void ts_program_ranks_end(struct ts_world *world)
+{
+	struct mpi *m = (struct mpi *)world;
+	MPI_Request request;
+
+	if (!m)
+		return;
+	MPI_Ibarrier(m->all, &request);
+	wait_for(m, &request, 1);
+	MPI_Comm_free(&m->all);
+	MPI_Comm_free(&m->trouble);
+	MPI_Finalize();
+	ts_free(m->request);
+	ts_free(m);
+}
+
+void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data)
+{
+	struct mpi *m = (struct mpi *)world;
+
+	m->report = report;
+	m->report_data = data;
+}
+
+void ts_program_ranks_fail(struct ts_world *world, const char *message)
+{
+	struct mpi *m = (struct mpi *)world;
+	double begin = ts_clock();
+	MPI_Request request;
+	size_t n = strlen(message) + 1;
+
+	if (world->rank == 0) {
+		if (m->report)
+			m->report(m->report_data, message);
+		abort_all(m);
+	}
+	MPI_Isend(message, (int)(n < MESSAGE ? n : MESSAGE), MPI_BYTE, 0, 0, m->trouble, &request);
+	while (ts_clock() - begin < PATIENCE) { /* the first rank ends this one */
+		int done;
+
+		MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+		usleep(1000);
+	}
+	fputs(message, stderr);
+	abort_all(m);
+}
+
+#endif

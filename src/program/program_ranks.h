@@ -1,0 +1,21 @@
+/* Ranks started by mpirun: rank/world.h by MPI. The only file that calls MPI is program_ranks.c. */
+#ifndef TS_PROGRAM_RANKS_H
+#define TS_PROGRAM_RANKS_H
+
+#include "base/files.h"
+#include "rank/world.h"
+
+/* The communicator of all processes; NULL: this process is alone (then nothing is initialised), or *why tells why the
+ * processes that were started cannot work together. */
+struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why);
+/* Waits for the other ranks and ends MPI. */
+void ts_program_ranks_end(struct ts_world *world);
+/* Ends all ranks with the first message that reaches the first one, which calls `report`; does not return. */
+void ts_program_ranks_fail(struct ts_world *world, const char *message);
+/* What the first rank does with the message of another one. */
+typedef void ts_program_report_fn(void *data, const char *message);
+void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data);
+/* Whether the first rank reads and writes all files. */
+struct ts_files_peers ts_program_ranks_files(struct ts_world *world);
+
+#endif

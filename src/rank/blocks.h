@@ -1,0 +1,36 @@
+/* Blocks of space: the box is cut into Px x Py x Pz blocks, one for each rank. */
+#ifndef TS_RANK_BLOCKS_H
+#define TS_RANK_BLOCKS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { TS_BLOCKS_MOST = 4096 }; /* ranks along one dimension */
+
+struct ts_rank_blocks {
+	int count[3]; /* blocks along each dimension */
+	/* cut[d][k]: lower face of block k, count[d] + 1 of them; the outer ones are those of the box */
+	double *cut[3];
+	double length[3]; /* of the box */
+	bool periodic[3];
+};
+
+/* The numbers of blocks along each dimension, for n ranks: those given (0: free) with the least area of the cuts
+ * through a box of these lengths; false: there are none. In two dimensions one along z. */
+bool ts_rank_blocks_choose(int n, const int given[3], const double length[3], int dimension, int out[3]);
+
+/* Cuts the box into equal blocks; false: out of memory. */
+bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const double lo[3],
+			const double hi[3], const bool periodic[3]);
+void ts_rank_blocks_release(struct ts_rank_blocks *blocks);
+
+/* The block, and so the rank, that has the point. Points outside of the box belong to the nearest block. */
+int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3]);
+
+/* Whether the point is within `reach` of block `rank` in dimension d, without periodic images. The outer faces of
+ * dimensions that are not periodic do not limit a block. */
+bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach);
+/* Whether the point, or a periodic image of it, is within `reach` of block `rank` in each dimension. */
+bool ts_rank_blocks_reach(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach);
+
+#endif

@@ -1,0 +1,62 @@
+/* Ranks: processes that compute one simulation together.
+ *
+ * The program that started them provides the functions (program/program_mpi.c: MPI). Without ranks there is no
+ * communicator: a pointer to it is NULL. All functions are collective: every rank calls the same ones in the same
+ * order. They do not return if a rank has failed: then all of them end with the message of that rank. */
+#ifndef TS_RANK_WORLD_H
+#define TS_RANK_WORLD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/status.h"
+
+struct ts_world;
+
+/* Bytes for another rank, or from it. */
+struct ts_parcel {
+	unsigned char *data;
+	size_t n, capacity;
+};
+
+struct ts_world_functions {
+	/* value[k] becomes the largest of all ranks. */
+	void (*most)(struct ts_world *world, double *value, size_t n);
+	/* The bytes of rank `from` are copied to all. */
+	void (*spread)(struct ts_world *world, int from, void *bytes, size_t n);
+	/* number[r] becomes the number that rank r has for this one. */
+	void (*transpose)(struct ts_world *world, uint64_t *number);
+	/* Sends out[r] to rank r and receives in[r], whose n is known on both sides; nothing where n is 0. */
+	void (*swap)(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
+};
+
+struct ts_world {
+	int rank, n;
+	const struct ts_world_functions *call;
+	struct ts_world_counts {
+		int64_t messages, bytes; /* sent by this rank to another one */
+		int64_t agreements;	 /* operations in which all ranks wait for each other */
+	} counts;
+	/* Requests of signal handlers of this rank; all ranks agree on them in the next step. */
+	volatile int stop, save;
+};
+
+/* Adds bytes to a parcel. */
+enum ts_status ts_parcel_add(struct ts_parcel *parcel, const void *bytes, size_t n);
+/* Makes room for n bytes, which the caller writes; NULL: out of memory. */
+unsigned char *ts_parcel_extend(struct ts_parcel *parcel, size_t n);
+void ts_parcel_release(struct ts_parcel *parcel);
+
+/* value[k] becomes the largest of all ranks. */
+void ts_world_most(struct ts_world *world, double *value, size_t n);
+/* The bytes of rank `from` are copied to all. */
+void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n);
+/* Sends out[r] to rank r for all r, and receives in[r], of any size; out[rank] is copied to in[rank]. */
+enum ts_status ts_world_deliver(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
+/* The same if in[r].n is known; out[rank] is ignored. */
+void ts_world_swap(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
+/* Appends the parcels of all ranks, in the order of ranks, to `all`. */
+enum ts_status ts_world_share(struct ts_world *world, const struct ts_parcel *mine, struct ts_parcel *all);
+
+#endif

@@ -1,0 +1,107 @@
+#!/bin/bash
+# Results do not depend on the number of ranks, bit for bit; what does not work with several ranks is refused; errors are
+# printed once.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+needs mpirun openmpi-bin
+mpirun --oversubscribe --allow-run-as-root -np 2 "$TSIM" -version >out 2>&1
+if grep -q 'built without MPI' out; then
+	echo 'skipped: needs a tsim built with MPI (configure --with-mpi)'
+	exit 77
+fi
+export OMP_NUM_THREADS=1
+scenes=$top_srcdir/tests/rank/scenes
+
+# ranks N WORDS...: tsim with N ranks; its output in `out`
+ranks() {
+	local n=$1
+	shift
+	timeout 300 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$TSIM" "$@" >out 2>&1 </dev/null
+}
+
+for scene in bed gas outlet; do
+	"$TSIM" -in "$scenes/in.$scene" -log log.1 -screen none -var out one >out 2>&1
+	report "$scene runs alone" $? out
+	rows log.1 >rows.1
+	for n in 2 3 4 7; do
+		ranks "$n" -in "$scenes/in.$scene" -log "log.$n" -screen none -var out many
+		report "$scene runs on $n ranks" $? out
+		rows "log.$n" >"rows.$n"
+		same "$scene: table on $n ranks" rows.1 "rows.$n"
+		same "$scene: dump on $n ranks" one.dump many.dump
+		same "$scene: averages on $n ranks" one.mean many.mean
+		rm -f many.*
+	done
+done
+OMP_NUM_THREADS=2 ranks 2 -in "$scenes/in.bed" -log log.2 -screen none -var out many
+rows log.2 >rows.2
+rows log.1 >/dev/null
+"$TSIM" -in "$scenes/in.bed" -log log.1 -screen none -var out one >out 2>&1
+same 'two ranks of two threads' one.dump many.dump
+
+# Cut by restart files that other numbers of ranks read.
+cut=$scenes/in.bed
+grep -v '^run' "$cut" >in.first
+printf 'run 400\nwrite_restart cut.restart\n' >>in.first
+{
+	echo 'read_restart cut.restart'
+	grep -E '^(newton|neighbor|fix|pair|timestep|compute|variable|thermo|dump)' "$cut"
+	printf 'run 200\nrun 300\n'
+} >in.second
+ranks 3 -in in.first -log none -screen none -var out first
+report 'three ranks write a restart file' $? out
+for n in 2 1; do
+	ranks $n -in in.second -log log.second -screen none -var out second
+	report "$n ranks read it" $? out
+	tail -n "$(awk '/ITEM: TIMESTEP/ { n = NR } END { print NR - n }' one.dump)" one.dump >last.one
+	tail -n "$(awk '/ITEM: TIMESTEP/ { n = NR } END { print NR - n }' second.dump)" second.dump >last.second
+	same "$n ranks continue" last.one last.second
+	rm -f second.*
+done
+
+# The blocks of `processors`.
+sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
+ranks 2 -in in.blocks -log log.2 -screen none -var out many
+same 'other blocks' one.dump many.dump
+grep -q 'Ranks: 2 as 1 x 1 x 2 blocks' log.2
+report 'the log tells the blocks' $? log.2
+sed 's/^processors.*/processors 3 1 1/' "$scenes/in.bed" >in.blocks
+ranks 2 -in in.blocks -log none -var out many
+[ $? != 0 ] && [ "$(grep -c 'in.blocks:6:12: error: processors: the product of the numbers is 3' out)" = 1 ]
+report 'blocks that do not fit' $? out
+
+# refused WHAT LINE:COLUMN TEXT SCRIPT-LINE...: an error with this place and text, printed once, and no run
+refused() {
+	local what=$1 place=$2 text=$3
+	shift 3
+	printf '%s\n' 'units lj' 'region box block 0 10 0 10 0 10' 'create_box 1 box' 'create_atoms 1 single 5 5 5' "$@" 'run 10' \
+		>in.refused
+	ranks 2 -in in.refused -log none
+	[ $? != 0 ] && [ "$(grep -c "in.refused:$place: error: .*$text" out)" = 1 ] && ! grep -q 'Loop time' out
+	report "$what" $? out
+	"$TSIM" -in in.refused -log none >out 2>&1
+	report "$what: alone it runs" $? out
+}
+integrate='fix 1 all nve'
+refused 'a fix' 5:11 'fix addforce does not work with several ranks' 'fix f all addforce 1 0 0' "$integrate"
+refused 'a compute' 5:15 'compute msd does not work' 'compute m all msd' "$integrate"
+refused 'a value that changes' 6:19 "'v_g' is a value that changes" 'variable g equal 1+step' \
+	'fix g all gravity v_g vector 0 0 -1' "$integrate"
+refused 'an output of a wall' 9:32 'f_w.* does not work' 'change_box all boundary f f f' \
+	'pair_style gran/hooke 200 NULL 5 NULL 0.5 0' 'pair_coeff * *' \
+	'fix w all wall/gran hooke 200 NULL 5 NULL 0.5 0 zplane 0 NULL' 'thermo_style custom step atoms f_w[3]' "$integrate"
+
+# Errors: in the script, and of one rank in a step.
+printf 'units lj\nnonsense 1\n' >in.wrong
+ranks 3 -in in.wrong -log none
+[ $? != 0 ] && [ "$(grep -c 'in.wrong:2:1: error: ' out)" = 1 ]
+report 'an error in the script is printed once' $? out
+sed -e 's/^thermo_modify.*/thermo_modify lost error/' "$scenes/in.outlet" >in.lost
+begin=$SECONDS
+ranks 4 -in in.lost -log none -var out many
+[ $? != 0 ] && [ "$(grep -c 'left the box through its fixed face' out)" = 1 ] && [ $((SECONDS - begin)) -lt 60 ]
+report 'an error of one rank ends all' $? out
+printf 'print "read $(2*21)"\n' | mpirun --oversubscribe --allow-run-as-root -np 3 "$TSIM" -log none >out 2>&1
+[ "$(grep -c 'read 42' out)" = 1 ]
+report 'a script from the standard input' $? out
+finish
