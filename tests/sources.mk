@@ -165,10 +165,13 @@ shell_tests = \
 	tests/load/mesh_stress.sh \
 	tests/load/surface_heat.sh \
 	tests/load/wear.sh \
+	tests/manual/book.sh \
 	tests/manual/first_hour.sh \
 	tests/manual/grammar.sh \
+	tests/manual/links.sh \
 	tests/manual/manual_current.sh \
 	tests/manual/page_order.sh \
+	tests/manual/search.sh \
 	tests/material/materials.sh \
 	tests/mesh/cell_regions.sh \
 	tests/mesh/free_mesh.sh \
