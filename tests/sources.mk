@@ -263,6 +263,7 @@ unit_tests = \
 	tests/bond/check_yield \
 	tests/contact/check_cohesive_bonds \
 	tests/contact/check_contact_parts \
+	tests/contact/check_contact_roots \
 	tests/core/check_alloc \
 	tests/core/check_args \
 	tests/core/check_deferred_loops \
@@ -437,6 +438,10 @@ tests_contact_check_cohesive_bonds_LDADD = $(tests_ldadd)
 tests_contact_check_contact_parts_SOURCES = tests/contact/check_contact_parts.c
 tests_contact_check_contact_parts_CFLAGS = $(tests_cflags)
 tests_contact_check_contact_parts_LDADD = $(tests_ldadd)
+
+tests_contact_check_contact_roots_SOURCES = tests/contact/check_contact_roots.c
+tests_contact_check_contact_roots_CFLAGS = $(tests_cflags)
+tests_contact_check_contact_roots_LDADD = $(tests_ldadd)
 
 tests_core_check_alloc_SOURCES = tests/core/check_alloc.c
 tests_core_check_alloc_CFLAGS = $(tests_cflags)

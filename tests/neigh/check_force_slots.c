@@ -64,7 +64,8 @@ static void add_chunk(const struct watch *w, size_t c)
 			deck_assert(w->place[slot] != 0); /* nobody has written over it */
 			deck_assert(rows->active[w->place[slot] - 1].row == r);
 			if (rows->touching[r])
-				deck_assert(rows->sum[g->first[i] + n++] == 2 * slot + (g->entry[k] & 1));
+				deck_assert(ts_touching_sums_entry(rows, i, n++) ==
+					    2 * slot + (g->entry[k] & 1));
 			if (!--w->waiting[r])
 				w->place[slot] = 0;
 		}
@@ -146,11 +147,17 @@ static void sums_current(const struct ts_contact_list *rows)
 			uint32_t r = g->entry[k] >> 1;
 
 			if (rows->touching[r])
-				deck_assert(rows->sum[g->first[i] + n++] ==
+				deck_assert(ts_touching_sums_entry(rows, i, n++) ==
 					    2 * rows->slot_of[r] + (g->entry[k] & 1));
 		}
 		deck_assert(rows->sums[i] == n);
+		for (; n < TS_SUM_ROW; n++)
+			deck_assert(rows->sum[TS_SUM_ROW * i + n] == 2 * rows->zero_slot);
 	}
+	for (int part = 0; part < rows->parts; part++)
+		for (int c = 0; c < 4; c++)
+			deck_assert(rows->result[rows->zero_slot * (size_t)rows->parts + (size_t)part][c] ==
+				    0);
 }
 
 /* Of rows that are not looked at none touches, though particles have moved since these were chosen. */
