@@ -6,6 +6,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 tsim=$(realpath "${TSIM:-$root/build/tsim}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+export TSIM_POTENTIALS=$root/potentials
 cp -r "$root/examples" "$root/potentials" "$work/" || exit 1
 
 {
@@ -37,7 +38,6 @@ END
 	done <<'END'
 everyday in.hopper -var grains 2000 -var outlet 6 -var bin 7 -var steps 10000
 everyday in.drum -var R 0.03 -var length 0.01 -var small 0.0018 -var rpm 40 -var start 500 -var steps 3000
-everyday in.heap -var grains 1000 -var R 0.04 -var speed 0.15 -var steps 30000 -var tolerance 12
 everyday in.compaction -var grains 600 -var R 0.012 -var steps 32000
 everyday in.chute -var steps 6000
 everyday in.chute -var slope 60 -var steps 6000

@@ -32,6 +32,8 @@
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
 #       5    house/install.sh               library/check_library
+#      75    manual/book.sh                 manual/links.sh
+#      14    manual/first_hour.sh           mesh/mesh_primitive.sh
 #       4    coupling/momentum.sh           coupling/check_coupling
 crosschecks = $(filter tests/crosscheck/%,$(shell_tests))
 slow_tests = \
@@ -54,6 +56,8 @@ slow_tests = \
 	tests/fuzz/fuzz.sh \
 	tests/house/install.sh \
 	tests/bond/check_parallel \
+	tests/manual/book.sh \
+	tests/manual/first_hour.sh \
 	tests/program/kill.sh \
 	tests/coupling/momentum.sh \
 	tests/core/omissions.sh \

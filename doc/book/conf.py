@@ -57,12 +57,14 @@ def fonts():
 
 
 latex_engine = "xelatex"
+latex_use_xindy = False
 latex_documents = [("index", "tsim.tex", "tsim: the book", author.replace("&", "and"), "manual")]
 latex_show_urls = "no"
 latex_elements = {
     "papersize": "a4paper", "pointsize": "10pt", "figure_align": "H", "extraclassoptions": "openany,oneside",
     "fontpkg": fonts(),
-    "preamble": r"\setcounter{tocdepth}{1}\sloppy\usepackage{etoolbox}"
+    "preamble": r"\setcounter{tocdepth}{1}\sloppy\usepackage{enumitem}\setlistdepth{9}\renewlist{itemize}{itemize}{9}"
+                r"\setlist[itemize]{label=\textbullet}",
 }
 
 # ---- contents, links and index: the text before Sphinx reads it
