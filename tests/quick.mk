@@ -31,6 +31,7 @@
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
+#       8    house/dist.sh                  house/install.sh
 #       5    house/install.sh               library/check_library
 #      75    manual/book.sh                 manual/links.sh
 #      14    manual/first_hour.sh           mesh/mesh_primitive.sh
@@ -54,6 +55,7 @@ slow_tests = \
 	tests/energy/energy_ledger.sh \
 	tests/examples/drilling.sh \
 	tests/fuzz/fuzz.sh \
+	tests/house/dist.sh \
 	tests/house/install.sh \
 	tests/bond/check_parallel \
 	tests/manual/book.sh \

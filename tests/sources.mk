@@ -124,6 +124,7 @@ shell_tests = \
 	tests/group/temperature_words.sh \
 	tests/heat/heat.sh \
 	tests/house/declared.sh \
+	tests/house/dist.sh \
 	tests/house/door.sh \
 	tests/house/format.sh \
 	tests/house/house.sh \

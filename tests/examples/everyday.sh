@@ -15,7 +15,11 @@ results 'a powder under a punch' in.compaction 2 -var grains 600 -var R 0.012 -v
 results 'grains that roll down a chute' in.chute 1 -var steps 6000
 results 'grains that slide' in.chute 1 -var slope 60 -var steps 6000
 results 'a box that is tilted' in.tilt 1 -var rolling 0.1 -var speed 8
-for picture in hopper drum screw heap compaction chute tilt; do
+results 'a shear cell: the forces are in balance' in.shear 2 -var mu 0.3 -var grains 300 -var load 2000 -var start 5000 -var steps 10000
+results 'a stream of spheres and dumbbells' in.stream 5 -var stream 14000 -var rest 14000
+results 'heat through a bed' in.heat 3 -var grains 400 -var settle 15000 -var time 120
+results 'heat through a lattice' in.heat 3 -var bed lattice -var time 120
+for picture in hopper drum screw heap compaction chute tilt shear stream heat; do
 	[ -s post/$picture.png ]
 	report "picture of $picture" $?
 done
