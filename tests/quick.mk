@@ -31,7 +31,7 @@
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
-#       8    house/dist.sh                  house/install.sh
+#       8    house/dist.sh                  library/check_library
 #       5    house/install.sh               library/check_library
 #      75    manual/book.sh                 manual/links.sh
 #      14    manual/first_hour.sh           mesh/mesh_primitive.sh
