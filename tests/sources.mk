@@ -182,6 +182,7 @@ shell_tests = \
 	tests/mesh/mesh_rim.sh \
 	tests/neigh/frame.sh \
 	tests/neigh/identities.sh \
+	tests/neigh/memory.sh \
 	tests/neigh/neigh_words.sh \
 	tests/neigh/outflow.sh \
 	tests/neigh/skin.sh \

@@ -18,8 +18,8 @@ void *ts_alloc_aligned(size_t n, size_t size);
 char *ts_strdup(const char *s);
 void ts_free(void *p);
 
-/* Enlarges *array (of *capacity elements of `size` bytes) to at least `need` elements, at least
- * doubling it. Contents are kept, new elements are zero. */
+/* Enlarges *array (of *capacity elements of `size` bytes) to at least `need` elements, and to twice the old number; long
+ * arrays to 1.5 times. Contents are kept, new elements are zero. */
 enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size);
 #define TS_GROW(array, capacity, need) ts_grow((void **)&(array), &(capacity), (need), sizeof *(array))
 

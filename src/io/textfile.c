@@ -124,16 +124,26 @@ static enum ts_status begin_gz(struct ts_textfile *file)
 	return ts_nomem(file->err);
 }
 
+/* A symbolic link would be replaced by a file. */
+static bool is_link(const char *path)
+{
+	struct ts_str name = { 0 }, target = { 0 };
+	bool is = ts_files_resolve_name(path, &name) != 0 || ts_files_resolve(path, &target) != 0 ||
+		  !ts_streq(ts_str_text(&name), ts_str_text(&target));
+
+	ts_str_release(&name);
+	ts_str_release(&target);
+	return is;
+}
+
 /* Whether the file is none yet, or one that may be replaced by another. */
 static bool replaceable(struct ts_textfile *file, const char *path)
 {
 	struct stat info;
 
-	if (ts_files_closed(file->files)) /* only known folders can be written to */
-		return ts_files_stat(file->files, path, &info) != 0 || S_ISREG(info.st_mode);
-	if (lstat(path, &info) != 0)
-		return errno == ENOENT;
-	return S_ISREG(info.st_mode) && info.st_nlink == 1 && access(path, W_OK) == 0;
+	if (ts_files_stat(file->files, path, &info) != 0)
+		return errno == ENOENT && !is_link(path);
+	return S_ISREG(info.st_mode) && info.st_nlink == 1 && info.st_mode & S_IWUSR && !is_link(path);
 }
 
 static enum ts_status open_replacing(struct ts_textfile *file, struct tsim *sim, const char *path)

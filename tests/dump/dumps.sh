@@ -91,4 +91,10 @@ wrong 'files of one file' 'dump_modify a maxfiles 3' 'whose file has a `*`'
 wrong 'modify' 'write_dump all atom b.dump modify scales no' "unknown keyword 'scales'"
 wrong 'standing still' 'variable s equal 0
 dump_modify a every v_s' 'the step of the next frame would be 0'
+# one frame in its file: another file takes the place of the old one, but not of a link
+printf 'old\n' >target && printf 'old\n' >hard && ln -s target a.dump && ln hard hard.dump && rm -f b.*
+printf '%s\nwrite_dump all custom a.dump id\nwrite_dump all custom hard.dump id\nwrite_dump all custom b.*.dump id\n' "$scene" >in.links
+"$TSIM" -in in.links -log none -screen none && [ -L a.dump ] && cmp -s target hard && cmp -s target b.0.dump &&
+	! grep -q old target && [ "$(echo b.*)" = b.0.dump ]
+report 'links are written through, and nothing else is left' $?
 finish
