@@ -795,6 +795,7 @@ library_sources = \
 	src/io/series.h \
 	src/io/textfile.c \
 	src/io/textfile.h \
+	src/io/textfile_errors.c \
 	src/io/vtk.c \
 	src/io/vtk.h \
 	src/io/vtk_grid.c \
