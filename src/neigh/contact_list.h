@@ -140,7 +140,7 @@ struct ts_contact_list {
 	 * is filled up with `zero_slot`, a slot that is always zero; the rest from sum_rest[rest_first[i]] on. */
 	uint32_t *sum, *sums, *sum_rest, *rest_first;
 	uint32_t zero_slot;
-	bool sum_whole_rows; /* most particles have more than half a row of touching pairs */
+	bool sum_whole_rows;		/* most particles have more than half a row of touching pairs */
 	struct ts_contact_chunk *chunk; /* chunk k: particles from k TS_CONTACT_CHUNK on */
 	uint8_t *chunk_summed;		/* by chunk: summed in this force evaluation */
 	size_t chunks, sum_capacity, sums_capacity, sum_rest_capacity, rest_first_capacity, chunk_capacity,
