@@ -1035,10 +1035,10 @@ library_sources = \
 	src/neigh/contact_memory.h \
 	src/neigh/contact_search.c \
 	src/neigh/contact_search.h \
+	src/neigh/drift_frame.c \
+	src/neigh/drift_frame.h \
 	src/neigh/force_slots.c \
 	src/neigh/force_slots.h \
-	src/neigh/frame.c \
-	src/neigh/frame.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
 	src/neigh/leaving.c \

@@ -103,7 +103,7 @@ static enum ts_status fail_runaway(struct tsim *sim, size_t i, const char *past)
 struct check_limits {
 	const struct ts_particles *p;
 	double moved2;	 /* displacement since the last build, length^2 */
-	double shift[3]; /* of the frame: frame.h */
+	double shift[3]; /* of the frame: drift_frame.h */
 	double dt2;
 	double lo[3], hi[3]; /* see ts_exchange_limits */
 	long *beyond;	     /* number of particles beyond a limit */
@@ -178,7 +178,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 				       .moved2 = reach < 0 ? -1 : reach * reach / 4,
 				       .dt2 = sim->clock.dt * sim->clock.dt };
 
-	ts_frame_advance(&nb->frame, sim->clock.dt, nb->built_skin);
+	ts_drift_frame_advance(&nb->frame, sim->clock.dt, nb->built_skin);
 	ts_scale(1, nb->frame.shift, limits.shift);
 	ts_scale(sim->clock.dt, nb->mean_velocity, nb->contacts.drift);
 	ts_exchange_limits(sim, limits.lo, limits.hi);

@@ -6,7 +6,7 @@
 
 #include "neigh/contact_history.h"
 #include "neigh/contact_list.h"
-#include "neigh/frame.h"
+#include "neigh/drift_frame.h"
 
 enum { TS_MAX_EXCLUDE = 16 };
 
@@ -43,15 +43,15 @@ struct ts_neigh_callbacks {
 };
 
 struct ts_neigh {
-	double skin;		 /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
-	bool fixed_skin;	 /* `neighbor ... fixed yes`: the skin is never less either */
-	double built_skin;	 /* skin of the present list, length */
-	double given_skin;	 /* ts_neigh_skin when the list was built, length */
-	struct ts_frame frame;	 /* displacements are measured relative to it */
-	double mean_velocity[3]; /* ts_frame_speeds.centre when the list was built */
-	double least_radius;	 /* smallest radius then, length */
-	bool leaving_watched;	 /* see leaving.h */
-	int32_t include;	 /* bit of the only group with contacts (neigh_modify include); 0: all */
+	double skin;	   /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
+	bool fixed_skin;   /* `neighbor ... fixed yes`: the skin is never less either */
+	double built_skin; /* skin of the present list, length */
+	double given_skin; /* ts_neigh_skin when the list was built, length */
+	struct ts_drift_frame frame; /* displacements are measured relative to it */
+	double mean_velocity[3];     /* ts_drift_frame_speeds.centre when the list was built */
+	double least_radius;	     /* smallest radius then, length */
+	bool leaving_watched;	     /* see leaving.h */
+	int32_t include;	     /* bit of the only group with contacts (neigh_modify include); 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];
 	bool skip_bonded; /* no contacts between bonded particles (special_bonds) */

@@ -109,20 +109,20 @@ enum { WATCH_STEPS = 100 };
 void ts_neigh_choose_skin(struct tsim *sim)
 {
 	struct ts_neigh *nb = sim->neigh;
-	struct ts_frame_speeds speeds;
+	struct ts_drift_frame_speeds speeds;
 	bool walls_move, watched = sim->run.relist && nb->leaving_watched;
 	double dt = sim->clock.dt, least, largest;
 
 	ts_neigh_radii(sim, &least, &largest);
-	nb->frame = (struct ts_frame){ .shift = { 0 } };
+	nb->frame = (struct ts_drift_frame){ .shift = { 0 } };
 	nb->built_skin = ts_neigh_skin(sim);
 	nb->leaving_watched = false;
-	ts_frame_speeds(sim, &speeds);
+	ts_drift_frame_speeds(sim, &speeds);
 	ts_scale(1, speeds.centre, nb->mean_velocity);
 	if (rebuilds_are_visible(sim) || !(largest > 0))
 		return;
 	walls_move = boundaries_move(sim);
-	if (!walls_move && ts_domain_all_fixed(sim) && ts_frame_pays(&speeds) &&
+	if (!walls_move && ts_domain_all_fixed(sim) && ts_drift_frame_pays(&speeds) &&
 	    2 * WATCH_STEPS * speeds.most * dt > nb->built_skin)
 		ts_scale(1, speeds.centre, nb->frame.velocity);
 	nb->built_skin =

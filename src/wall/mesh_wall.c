@@ -7,7 +7,7 @@
 #include "box/domain.h"
 #include "mesh/mesh_distance.h"
 #include "neigh/coincide.h"
-#include "neigh/frame.h"
+#include "neigh/drift_frame.h"
 
 #include "base/banned.h"
 
@@ -348,7 +348,7 @@ bool ts_mesh_wall_has_moved(const struct ts_wall *w, const struct tsim *sim)
 	bool far = false;
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
-		far |= mw->mesh[k].surface->travelled > ts_frame_room_of_walls(sim);
+		far |= mw->mesh[k].surface->travelled > ts_drift_frame_room_of_walls(sim);
 	return far;
 }
 

@@ -7,7 +7,7 @@
 #include "core/sim.h"
 #include "math/constants.h"
 #include "neigh/coincide.h"
-#include "neigh/frame.h"
+#include "neigh/drift_frame.h"
 #include "wall/exact_surface.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
@@ -279,7 +279,7 @@ static bool has_moved(const struct ts_wall *wall, const struct tsim *sim)
 	const struct ts_primitive_wall *w = wall->geometry;
 
 	return ts_primitive_wall_moves(w) &&
-	       !(fabs(displacement(w, sim) - w->built_displacement) < ts_frame_room_of_walls(sim));
+	       !(fabs(displacement(w, sim) - w->built_displacement) < ts_drift_frame_room_of_walls(sim));
 }
 
 /* Distance of x from the primitive; the frequent case of a plane is computed without its normal. */

@@ -8,7 +8,7 @@
 #include "box/domain.h"
 #include "math/vec3.h"
 #include "neigh/coincide.h"
-#include "neigh/frame.h"
+#include "neigh/drift_frame.h"
 
 #include "base/banned.h"
 
@@ -223,7 +223,7 @@ enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim)
 /* Particles are listed within the skin; they may move by half of it relative to the frame. */
 bool ts_voxel_wall_has_moved(const struct ts_wall *w, const struct tsim *sim)
 {
-	return ts_voxel_wall_of(w)->surface->travelled > ts_frame_room_of_walls(sim);
+	return ts_voxel_wall_of(w)->surface->travelled > ts_drift_frame_room_of_walls(sim);
 }
 
 enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct tsim *sim)

@@ -1,4 +1,4 @@
-#include "neigh/frame.h"
+#include "neigh/drift_frame.h"
 
 #include <math.h>
 
@@ -38,7 +38,7 @@ static void bound_share(void *context, size_t from, size_t to)
 	double lo[3], hi[3];
 
 	bound_velocities(t->p, from, to, lo, hi);
-#pragma omp critical(ts_frame)
+#pragma omp critical(ts_drift_frame)
 	for (int d = 0; d < 3; d++) {
 		t->lo[d] = fmin(t->lo[d], lo[d]);
 		t->hi[d] = fmax(t->hi[d], hi[d]);
@@ -68,14 +68,14 @@ static void speeds_share(void *context, size_t from, size_t to)
 	double most[2];
 
 	largest_speeds(t->p, t->centre, from, to, most);
-#pragma omp critical(ts_frame)
+#pragma omp critical(ts_drift_frame)
 	{
 		t->most2 = fmax(t->most2, most[0]);
 		t->most_relative2 = fmax(t->most_relative2, most[1]);
 	}
 }
 
-void ts_frame_speeds(const struct tsim *sim, struct ts_frame_speeds *out)
+void ts_drift_frame_speeds(const struct tsim *sim, struct ts_drift_frame_speeds *out)
 {
 	const struct ts_particles *p = sim->particles;
 	struct speeds_task t = { .p = p,
@@ -84,7 +84,7 @@ void ts_frame_speeds(const struct tsim *sim, struct ts_frame_speeds *out)
 				 .centre = out->centre };
 	int team = ts_team(sim, p->n);
 
-	*out = (struct ts_frame_speeds){ .most = 0 };
+	*out = (struct ts_drift_frame_speeds){ .most = 0 };
 	ts_parallel(team, p->n, bound_share, &t);
 	for (int d = 0; d < 3; d++) {
 		t.lo[d] = -ts_ranks_most(sim, -t.lo[d]);
@@ -100,12 +100,12 @@ void ts_frame_speeds(const struct tsim *sim, struct ts_frame_speeds *out)
 /* At most this part of the speed remains. */
 static const double PAYS_BELOW = 0.75;
 
-bool ts_frame_pays(const struct ts_frame_speeds *speeds)
+bool ts_drift_frame_pays(const struct ts_drift_frame_speeds *speeds)
 {
 	return speeds->most_relative < PAYS_BELOW * speeds->most;
 }
 
-void ts_frame_advance(struct ts_frame *frame, double dt, double skin)
+void ts_drift_frame_advance(struct ts_drift_frame *frame, double dt, double skin)
 {
 	double next[3];
 
@@ -115,7 +115,7 @@ void ts_frame_advance(struct ts_frame *frame, double dt, double skin)
 		ts_scale(1, next, frame->shift);
 }
 
-double ts_frame_room_of_walls(const struct tsim *sim)
+double ts_drift_frame_room_of_walls(const struct tsim *sim)
 {
 	return 0.5 * sim->neigh->built_skin - ts_norm(sim->neigh->frame.shift);
 }
