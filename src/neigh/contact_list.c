@@ -227,25 +227,15 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *list, double skin,
 				     ts_excluded_fn *excluded)
 {
+	struct ts_contact_search found = { .skin = skin,
+					   .both_frozen = list->both_frozen,
+					   .excluded = excluded };
 	struct ts_contact_history old = { 0 };
-	enum ts_status status;
+	enum ts_status status = search_and_build(sim, list, &found, &old);
 
-	if (!list->search)
-		list->search = ts_alloc(1, sizeof *list->search);
-	if (!list->search)
-		return ts_nomem(&sim->error);
-	list->search->skin = skin;
-	list->search->both_frozen = list->both_frozen;
-	list->search->excluded = excluded;
-	status = search_and_build(sim, list, list->search, &old);
+	ts_contact_search_release(&found);
 	ts_contact_history_release(&old);
 	return status;
-}
-
-void ts_contact_list_forget_search(struct ts_contact_list *list)
-{
-	if (list->search)
-		ts_contact_search_release(list->search);
 }
 
 void ts_contact_list_set_torques(struct ts_contact_list *list, bool turn, bool roll)
@@ -341,8 +331,6 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->rest_first);
 	ts_free(list->chunk);
 	ts_free(list->chunk_summed);
-	ts_contact_list_forget_search(list);
-	ts_free(list->search);
 	ts_gather_release(&list->gather);
 	*list = (struct ts_contact_list){ 0 };
 }

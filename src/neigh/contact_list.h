@@ -108,7 +108,6 @@ struct ts_contact_list {
 	size_t bridge_column;
 	const signed char *history_sign; /* by history number: factor +1 or -1 when i and j are swapped */
 
-	struct ts_contact_search *search; /* memory of the searches; NULL: none */
 	struct ts_gather gather;	  /* the candidate pairs of each local particle */
 	struct ts_contact_sphere *sphere; /* of all particles, ghosts included, in this step */
 	struct ts_contact_motion *motion;
@@ -230,8 +229,6 @@ void ts_contact_list_set_torques(struct ts_contact_list *list, bool tangential, 
 /* Makes the history `width` numbers wide, all zero if that is a change; `sign`: see history_sign. */
 enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *list, size_t width,
 					   const signed char *sign);
-/* Frees the memory of the searches, where other memory is needed; the next search allocates it again. */
-void ts_contact_list_forget_search(struct ts_contact_list *list);
 /* Memory that the list takes, bytes. */
 size_t ts_contact_list_bytes(const struct ts_contact_list *list);
 void ts_contact_list_release(struct ts_contact_list *list);

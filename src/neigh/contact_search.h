@@ -24,7 +24,7 @@ struct ts_contact_search {
 	double skin;
 	bool both_frozen;
 	ts_excluded_fn *excluded; /* pairs to leave out, or NULL */
-	/* results; their memory is used again by the next search, and released by ts_contact_search_release */
+	/* results, released by ts_contact_search_release */
 	struct ts_contact_found *share;
 	int shares;
 	uint32_t *count; /* by local particle: number of pairs of which it is i */
