@@ -12,7 +12,10 @@ typedef double ts_two_anywhere __attribute__((vector_size(16), aligned(8), may_a
 #if defined(__clang__) || __GNUC__ >= 12
 #define TS_TWO_JOIN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3)
 #define TS_FOUR_JOIN(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7)
+/* the first half of a, and the second of b */
+#define TS_EIGHT_HALVES(a, b) __builtin_shufflevector(a, b, 0, 1, 2, 3, 12, 13, 14, 15)
 #else
+#define TS_EIGHT_HALVES(a, b) ((ts_eight){ (a)[0], (a)[1], (a)[2], (a)[3], (b)[4], (b)[5], (b)[6], (b)[7] })
 #define TS_TWO_JOIN(a, b) ((ts_four){ (a)[0], (a)[1], (b)[0], (b)[1] })
 #define TS_FOUR_JOIN(a, b) ((ts_eight){ (a)[0], (a)[1], (a)[2], (a)[3], (b)[0], (b)[1], (b)[2], (b)[3] })
 #endif

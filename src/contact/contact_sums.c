@@ -3,38 +3,34 @@ TS_UNROLLED
 
 #include "contact/contact_sums.h"
 
-#include "base/four.h"
+#include "base/eight.h"
 #include "neigh/touching_sums.h"
 
 #include "base/banned.h"
 
 /* Force and torque of a particle as one vector of eight numbers, so that both are summed at once. */
-typedef double eight __attribute__((vector_size(64)));
-typedef long long eight_places __attribute__((vector_size(64)));
-#define EIGHT(x) ((eight){ x, x, x, x, x, x, x, x })
-#define HALVES(a, b) __builtin_shuffle(a, b, (eight_places){ 0, 1, 2, 3, 12, 13, 14, 15 })
-#define QUARTERS(a, b) ((eight){ (a)[0], (a)[1], (a)[2], (a)[3], (b)[0], (b)[1], (b)[2], (b)[3] })
+#define EIGHT(x) ((ts_eight){ x, x, x, x, x, x, x, x })
 
 /* Adds a result to the force and torque of a particle; entry: 2 slot + side; `parts` as in struct ts_contact_list. */
-TS_INLINE void add_result(eight *sum, const eight *radius, const ts_four *results, size_t parts,
+TS_INLINE void add_result(ts_eight *sum, const ts_eight *radius, const ts_four *results, size_t parts,
 			  uint32_t entry)
 {
 	/* a table instead of a branch: the branch would be mispredicted half of the time */
-	static const eight signs[] = { { 1, 1, 1, 1, 1, 1, 1, 1 }, { -1, -1, -1, -1, -1, -1, -1, -1 } };
+	static const ts_eight signs[] = { { 1, 1, 1, 1, 1, 1, 1, 1 }, { -1, -1, -1, -1, -1, -1, -1, -1 } };
 	const ts_four *result = results + parts * (entry >> 1);
-	const eight sign = signs[entry & 1], arm = *radius - EIGHT(result[0][3]);
+	const ts_eight sign = signs[entry & 1], arm = *radius - EIGHT(result[0][3]);
 
 	if (parts == 1)
-		*sum += sign * QUARTERS(result[0], result[0]);
+		*sum += sign * TS_FOUR_JOIN(result[0], result[0]);
 	else if (parts == 2)
-		*sum += HALVES(sign, arm) * *(const eight *)result;
+		*sum += TS_EIGHT_HALVES(sign, arm) * *(const ts_eight *)result;
 	else
-		*sum += HALVES(sign, arm) * QUARTERS(result[0], result[1]) +
-			HALVES(EIGHT(0), sign) * QUARTERS(result[2], result[2]);
+		*sum += TS_EIGHT_HALVES(sign, arm) * TS_FOUR_JOIN(result[0], result[1]) +
+			TS_EIGHT_HALVES(EIGHT(0), sign) * TS_FOUR_JOIN(result[2], result[2]);
 }
 
 /* Adds the entries from .. to-1 of a row; entries without a result are zero and change nothing. */
-TS_INLINE void add_row(eight *sum, const eight *radius, const ts_four *results, size_t parts,
+TS_INLINE void add_row(ts_eight *sum, const ts_eight *radius, const ts_four *results, size_t parts,
 		       const uint32_t *row, int from, int to)
 {
 #pragma GCC unroll 8
@@ -42,7 +38,7 @@ TS_INLINE void add_row(eight *sum, const eight *radius, const ts_four *results, 
 		add_result(sum, radius, results, parts, row[k]);
 }
 
-TS_INLINE void add_or_set(double to[3], const eight *sum, int from, bool overwrite)
+TS_INLINE void add_or_set(double to[3], const ts_eight *sum, int from, bool overwrite)
 {
 	for (int d = 0; d < 3; d++)
 		to[d] = overwrite ? (*sum)[from + d] : to[d] + (*sum)[from + d];
@@ -57,8 +53,8 @@ TS_INLINE void sum_forces(const struct ts_contact_list *list, const struct ts_pa
 	bool overwrite = list->overwrite_sums;
 
 	for (size_t i = from; i < to; i++) {
-		const eight radius = EIGHT(list->sphere[i].position[3]);
-		eight sum = EIGHT(0);
+		const ts_eight radius = EIGHT(list->sphere[i].position[3]);
+		ts_eight sum = EIGHT(0);
 		const uint32_t *row = list->sum + TS_SUM_ROW * i;
 		size_t n = list->sums[i];
 

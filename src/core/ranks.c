@@ -24,8 +24,7 @@ enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct 
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, where,
 		       "%s does not work with several ranks yet (there are %d): run tsim without mpirun, "
-		       "with "
-		       "threads (OMP_NUM_THREADS); see doc/ranks.md",
+		       "with threads (OMP_NUM_THREADS); see doc/ranks.md",
 		       what, ts_ranks(sim));
 }
 
@@ -55,8 +54,7 @@ enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, co
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &reference->place,
 		       "%s: '%s' is a value that changes during a run, which does not work with several "
-		       "ranks yet "
-		       "(there are %d); see doc/ranks.md",
+		       "ranks yet (there are %d); see doc/ranks.md",
 		       what, reference->text, ts_ranks(sim));
 }
 

@@ -52,9 +52,8 @@ struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **wh
 	(void)argv;
 	if (started_processes() > 1)
 		*why = "this tsim was built without MPI, so that mpirun would only run the same script "
-		       "several times: "
-		       "install libopenmpi-dev and run configure --with-mpi again, or use threads "
-		       "(OMP_NUM_THREADS)";
+		       "several times: install libopenmpi-dev and run configure --with-mpi again, or use "
+		       "threads (OMP_NUM_THREADS)";
 	return NULL;
 }
 
@@ -227,8 +226,7 @@ struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **wh
 	MPI_Comm_size(m->all, &m->base.n);
 	if (m->base.n == 1 && started_processes() > 1)
 		*why = "mpirun has started several processes, but each of them is alone: tsim was built with "
-		       "another MPI "
-		       "than that of this mpirun";
+		       "another MPI than that of this mpirun";
 	return &m->base;
 }
 

@@ -23,7 +23,7 @@ expect() {
 	fi
 }
 
-version=$("$TSIM" -version)
+version=$("$TSIM" -version | head -n 1)
 more="'tsim -help' lists the options"
 printf 'variable n index 2.5\nprint "n $n"  # so\nif "$n > 3" then "prnit $n"\n' >in.script
 
