@@ -228,7 +228,7 @@ def pictures_for_latex(app, tree):
             else:
                 image.replace_self(nodes.emphasis(text="(drawing: see the HTML of this page)"))
                 continue
-            image["uri"] = os.path.relpath(target, app.srcdir)
+            image["uri"] = name  # LaTeX runs in app.outdir
         image["candidates"] = {"*": image["uri"]}
 
 
