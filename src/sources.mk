@@ -924,6 +924,8 @@ library_sources = \
 	src/material/property.h \
 	src/math/band.c \
 	src/math/band.h \
+	src/math/bounds.c \
+	src/math/bounds.h \
 	src/math/compensated.h \
 	src/math/constants.h \
 	src/math/convolution.c \

@@ -350,7 +350,7 @@ TS_INLINE void ts_batch_prefetch(const struct ts_contact_list *list, const struc
 		__builtin_prefetch(list->sphere[active[k].j].position);
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		for (size_t k = 0; k < block->touching; k += TS_MEMORY_VECTOR)
-			__builtin_prefetch(ts_contact_memory(list, block, k, (size_t)c), 1);
+			__builtin_prefetch(ts_contact_memory(block, k, (size_t)c), 1);
 }
 
 /* Prefetches the active pairs of a block, one block earlier. */
@@ -379,7 +379,7 @@ TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, con
 	whole = ts_batch_pad_tail(active, some, tail);
 	n = whole < some ? whole + TS_MEMORY_VECTOR : whole;
 	for (int c = 0; c < ts_granular_memory(m); c++)
-		b->memory[c] = ts_contact_memory(list, block, part * TS_BATCH, (size_t)c);
+		b->memory[c] = ts_contact_memory(block, part * TS_BATCH, (size_t)c);
 	for (size_t at = 0; at < whole; at += 4)
 		ts_batch_load(p, list, m, active + at, at, b);
 	for (size_t at = whole; at < n; at += 4)

@@ -13,14 +13,14 @@ static void load_memory(const struct ts_contact_list *list, const struct ts_acti
 			double memory[])
 {
 	for (size_t c = 0; c < list->history_width; c++)
-		memory[c] = *ts_contact_memory(list, block, at, c);
+		memory[c] = *ts_contact_memory(block, at, c);
 }
 
 static void store_memory(const struct ts_contact_list *list, const struct ts_active_block *block, size_t at,
 			 const double memory[])
 {
 	for (size_t c = 0; c < list->history_width; c++)
-		*ts_contact_memory(list, block, at, c) = memory[c];
+		*ts_contact_memory(block, at, c) = memory[c];
 }
 
 /* Largest gap, length, at which the pair `at` of the block still attracts; < 0 where surfaces are pressed in.
@@ -105,8 +105,8 @@ static void end_contact(const struct ts_contact_task *task, struct ts_active_blo
 	struct ts_contact_list *list = task->list;
 	size_t met =
 		list->active[block->first + at].row * list->history_width + (size_t)ts_granular_met_at(m);
-	bool breaks = ts_cohesion_bridges(m) &&
-		      *ts_contact_memory(list, block, at, (size_t)ts_granular_met_at(m)) > 0;
+	bool breaks =
+		ts_cohesion_bridges(m) && *ts_contact_memory(block, at, (size_t)ts_granular_met_at(m)) > 0;
 
 	ts_contact_clear_result(list, list->active[block->first + at].slot, (size_t)list->parts);
 	ts_contact_end(list, block, at, task->keep);

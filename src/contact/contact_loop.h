@@ -32,7 +32,7 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_ac
 	if (list->history_width && block->touching == block->column)
 		ts_contact_memory_extend(list, block);
 	for (size_t c = 0; c < list->history_width; c++)
-		*ts_contact_memory(list, block, block->touching, c) =
+		*ts_contact_memory(block, block->touching, c) =
 			*ts_contact_history(list, block, block->touching, c);
 	block->touching++;
 	list->touching[pair.row] = 1;
@@ -48,13 +48,13 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 
 	block->touching--;
 	for (size_t c = 0; c < list->history_width; c++) {
-		double *memory = ts_contact_memory(list, block, at, c),
+		double *memory = ts_contact_memory(block, at, c),
 		       *stored = ts_contact_history(list, block, at, c), left = keep ? *memory : 0;
 
 		/* with all results, zeros that were never written take no memory: ts_contacts_forget_history */
 		if (list->results != TS_RESULTS_KEPT || *stored != left)
 			*stored = left;
-		*memory = *ts_contact_memory(list, block, block->touching, c);
+		*memory = *ts_contact_memory(block, block->touching, c);
 	}
 	active[at] = active[block->touching];
 	active[block->touching] = pair;

@@ -12,9 +12,8 @@
 #include "base/banned.h"
 
 /* Bytes. MOST_HELD: largest text between two flushes that is written in one piece; PIECE: of files that are replaced as a
- * whole. MEMBER: text after
- * which a .gz file begins a new member. LARGEST_PART: what zlib takes in one call. ROOM: output buffer
- * of zlib. */
+ * whole. MEMBER: text after which a .gz file begins a new member. LARGEST_PART: what zlib takes in one call. ROOM: output
+ * buffer of zlib. */
 enum { MOST_HELD = 1 << 24, PIECE = 1 << 18, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
 static void reset_textfile(struct ts_textfile *file)

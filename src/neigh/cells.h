@@ -24,7 +24,7 @@ struct ts_level {
 	size_t start_capacity, list_capacity, position_capacity[4];
 };
 
-/* Memory may be used for one search after the other; zero-initialise, and release at last. */
+/* Zero-initialise before they are filled; release afterwards. */
 struct ts_cells {
 	int nlevels;
 	struct ts_level level[TS_MAX_LEVELS]; /* from large to small particles */

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "base/sort.h"
 #include "math/vec3.h"
 #include "neigh/contact_memory.h"
 #include "neigh/force_slots.h"
@@ -191,33 +190,10 @@ struct restoring {
 	} * link; /* by key */
 };
 
-static int compare_tags(const void *a, const void *b)
-{
-	const int32_t *x = a, *y = b;
-
-	return (x[0] > y[0]) - (x[0] < y[0]);
-}
-
-/* Identities and indices of the copies, sorted. */
-static int32_t (*sort_copies(const struct tsim *sim))[2]
-{
-	size_t n = ts_copies(sim), first = sim->particles->n;
-	int32_t(*list)[2] = ts_alloc(n, sizeof *list);
-
-	for (size_t k = 0; list && k < n; k++) {
-		list[k][0] = sim->particles->tag[first + k];
-		list[k][1] = (int32_t)(first + k);
-	}
-	if (list)
-		ts_sort(list, n, sizeof *list, compare_tags);
-	return list;
-}
-
 struct chaining {
 	struct restoring *g;
 	struct ts_identities map;
-	int32_t (*copy)[2]; /* identities and indices of the copies */
-	size_t copies;
+	struct ts_copy_map copy;
 	int team; /* number of threads */
 };
 
@@ -225,10 +201,11 @@ struct chaining {
 static int32_t row_of(const struct chaining *c, int32_t tag)
 {
 	int32_t at = ts_identity_row(&c->map, tag);
-	const int32_t *found =
-		at < 0 && c->copies ? bsearch(&tag, c->copy, c->copies, sizeof *c->copy, compare_tags) : NULL;
 
-	return found ? found[1] : at;
+	if (at >= 0)
+		return at;
+	at = ts_copy_map_find(&c->copy, tag);
+	return at < 0 ? at : (int32_t)c->g->p->n + at;
 }
 
 /* The order of the keys of a particle depends on the threads, but is of no effect: at most one is the key of a pair. */
@@ -253,28 +230,19 @@ static void chain_share(void *context, size_t from, size_t to)
 	}
 }
 
-static enum ts_status chain_keys(struct tsim *sim, struct restoring *g, int32_t (*copy)[2])
-{
-	struct chaining c = {
-		.g = g, .copy = copy, .copies = ts_copies(sim), .team = ts_team(sim, 4 * g->h->n)
-	};
-
-	TS_TRY(ts_identities(sim, false, &c.map));
-	g->first = ts_alloc(g->p->n + c.copies, sizeof *g->first);
-	g->link = ts_alloc(g->h->n, sizeof *g->link);
-	if (!g->first || !g->link || !copy)
-		return ts_nomem(&sim->error);
-	ts_parallel(c.team, g->h->n, chain_share, &c);
-	return TS_OK;
-}
-
 static enum ts_status chain_keys_by_particle(struct tsim *sim, struct restoring *g)
 {
-	int32_t(*copy)[2] = sort_copies(sim);
-	enum ts_status status = chain_keys(sim, g, copy);
+	struct chaining c = { .g = g, .team = ts_team(sim, 4 * g->h->n) };
+	bool room;
 
-	ts_free(copy);
-	return status;
+	TS_TRY(ts_identities(sim, false, &c.map));
+	g->first = ts_alloc(g->p->n + ts_copies(sim), sizeof *g->first);
+	g->link = ts_alloc(g->h->n, sizeof *g->link);
+	room = ts_copy_map_make(sim, &c.copy) == TS_OK && g->first && g->link;
+	if (room)
+		ts_parallel(c.team, g->h->n, chain_share, &c);
+	ts_copy_map_release(&c.copy);
+	return room ? TS_OK : ts_nomem(&sim->error);
 }
 
 /* The local particle, or the copy, of which i is an image, or i itself. */

@@ -191,7 +191,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	struct fill_task task = { list, found };
 	bool coincide;
 
-	if (!sim->run.resuming)
+	if (!sim->run.resuming) /* forces are saved only for a run that is continued */
 		ts_force_slots_forget(list);
 	if (sim->legacy)
 		TS_TRY(ts_contact_history_save_all(sim, list, sim->run.resuming, old));
@@ -206,8 +206,6 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 		return ts_nomem(&sim->error);
 	list->n = found->n;
 	list->skin = found->skin;
-	list->results = TS_RESULTS_NONE;
-	list->active_chosen = false;
 	list->particles = sim->particles->n;
 	list->locals_packed = false;
 	list->displacement = 0;
@@ -227,9 +225,9 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *list, double skin,
 				     ts_excluded_fn *excluded)
 {
-	struct ts_contact_search found = { .skin = skin,
-					   .both_frozen = list->both_frozen,
-					   .excluded = excluded };
+	struct ts_contact_search found = {
+		.skin = skin, .both_frozen = list->both_frozen, .excluded = excluded, .expected = list->n
+	};
 	struct ts_contact_history old = { 0 };
 	enum ts_status status = search_and_build(sim, list, &found, &old);
 
@@ -297,6 +295,7 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 		{ list->sum_capacity, sizeof *list->sum },
 		{ list->sum_rest_capacity, sizeof *list->sum_rest },
 		{ list->sums_capacity, sizeof *list->sums },
+		{ list->rest_first_capacity, sizeof *list->rest_first },
 		{ list->chunk_capacity, sizeof *list->chunk + sizeof *list->chunk_summed },
 	};
 	size_t bytes = largest_state(list);

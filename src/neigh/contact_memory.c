@@ -31,7 +31,7 @@ static void store_block(const struct ts_contact_list *list, const struct ts_acti
 {
 	for (size_t c = 0; c < list->history_width; c++)
 		for (size_t at = 0; at < block->touching; at++)
-			*ts_contact_history(list, block, at, c) = *ts_contact_memory(list, block, at, c);
+			*ts_contact_history(list, block, at, c) = *ts_contact_memory(block, at, c);
 }
 
 void ts_contacts_store_history(const struct tsim *sim, struct ts_contact_list *list)
@@ -45,9 +45,9 @@ static void load_block(const struct ts_contact_list *list, const struct ts_activ
 {
 	for (size_t c = 0; c < list->history_width; c++) {
 		for (size_t at = 0; at < block->touching; at++)
-			*ts_contact_memory(list, block, at, c) = *ts_contact_history(list, block, at, c);
+			*ts_contact_memory(block, at, c) = *ts_contact_history(list, block, at, c);
 		for (size_t at = block->touching; at < block->column; at++)
-			*ts_contact_memory(list, block, at, c) = 0;
+			*ts_contact_memory(block, at, c) = 0;
 	}
 }
 
@@ -111,8 +111,7 @@ void ts_contact_memory_extend(const struct ts_contact_list *list, struct ts_acti
 
 	for (size_t c = 0; c < list->history_width; c++)
 		for (size_t at = 0; at < column; at++)
-			to[c * column + at] =
-				at < block->touching ? *ts_contact_memory(list, block, at, c) : 0;
+			to[c * column + at] = at < block->touching ? *ts_contact_memory(block, at, c) : 0;
 	block->memory = to;
 	block->column = column;
 }

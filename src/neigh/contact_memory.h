@@ -14,10 +14,8 @@
 enum { TS_MEMORY_VECTOR = 8 };
 
 /* History number c of the touching pair `at` of the block; that of the next pair follows in memory. */
-TS_INLINE double *ts_contact_memory(const struct ts_contact_list *list, const struct ts_active_block *block,
-				    size_t at, size_t c)
+TS_INLINE double *ts_contact_memory(const struct ts_active_block *block, size_t at, size_t c)
 {
-	(void)list;
 	return &block->memory[c * block->column + at];
 }
 

@@ -175,13 +175,10 @@ static enum ts_status search_all_shares(struct tsim *sim, struct ts_contact_sear
 	size_t n = sim->particles->n, shares = (size_t)s->shares;
 
 	for (size_t t = 0; t < shares; t++) {
-		struct ts_contact_found *f = &s->share[t];
-
-		f->from = n * t / shares;
-		f->to = n * (t + 1) / shares;
-		f->n = 0;
-		f->status = TS_OK;
-		f->coincide = false;
+		s->share[t].from = n * t / shares;
+		s->share[t].to = n * (t + 1) / shares;
+		if (TS_RENEW_UNSET(s->share[t].partner, s->share[t].capacity, s->expected / shares) != TS_OK)
+			return ts_nomem(&sim->error);
 	}
 	ts_parallel(s->shares, shares, search_shares, s);
 	s->n = 0;
@@ -204,9 +201,9 @@ enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *s)
 
 	s->sim = sim;
 	s->shares = ts_team(sim, 8 * n); /* a search costs as much as several simple loops */
-	s->coincide = false;
-	if (TS_GROW(s->share, s->share_capacity, (size_t)s->shares) != TS_OK ||
-	    TS_RENEW_UNSET(s->count, s->count_capacity, n) != TS_OK)
+	s->share = ts_alloc((size_t)s->shares, sizeof *s->share);
+	s->count = ts_alloc(n, sizeof *s->count);
+	if (!s->share || !s->count)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_cells_fill(sim, &s->cells, s->skin));
 	return search_all_shares(sim, s);
@@ -214,15 +211,13 @@ enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *s)
 
 void ts_contact_search_release(struct ts_contact_search *s)
 {
-	for (size_t t = 0; t < s->share_capacity; t++) {
+	for (int t = 0; s->share && t < s->shares; t++) {
 		ts_free(s->share[t].partner);
 		ts_free(s->share[t].key);
 		ts_free(s->share[t].spare);
 	}
 	ts_free(s->share);
 	ts_free(s->count);
-	s->share = NULL;
-	s->count = NULL;
 	ts_cells_release(&s->cells);
 	*s = (struct ts_contact_search){ 0 };
 }

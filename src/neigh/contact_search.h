@@ -24,18 +24,18 @@ struct ts_contact_search {
 	double skin;
 	bool both_frozen;
 	ts_excluded_fn *excluded; /* pairs to leave out, or NULL */
+	size_t expected;	  /* number of pairs of the last search, to allocate memory */
 	/* results, released by ts_contact_search_release */
 	struct ts_contact_found *share;
 	int shares;
 	uint32_t *count; /* by local particle: number of pairs of which it is i */
-	size_t share_capacity, count_capacity;
-	size_t n;      /* number of all pairs */
-	bool coincide; /* the particles of some pair may be coincident */
+	size_t n;	 /* number of all pairs */
+	bool coincide;	 /* the particles of some pair may be coincident */
 
 	struct ts_cells cells;
 };
 
-/* Zero-initialise before the first search. */
+/* Zero-initialise what is not given. */
 enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *search);
 void ts_contact_search_release(struct ts_contact_search *search);
 

@@ -5,6 +5,7 @@
 #include "base/clones.h"
 #include "base/parallel.h"
 #include "core/ranks.h"
+#include "math/bounds.h"
 #include "math/vec3.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
@@ -13,37 +14,9 @@
 
 struct speeds_task {
 	const struct ts_particles *p;
-	double lo[3], hi[3]; /* of the velocities */
 	const double *centre;
 	double most2, most_relative2;
 };
-
-TS_CLONES static void bound_velocities(const struct ts_particles *p, size_t from, size_t to, double lo[3],
-				       double hi[3])
-{
-	for (int d = 0; d < 3; d++) {
-		lo[d] = INFINITY;
-		hi[d] = -INFINITY;
-	}
-	for (size_t i = from; i < to; i++)
-		for (int d = 0; d < 3; d++) {
-			lo[d] = p->v[i][d] < lo[d] ? p->v[i][d] : lo[d];
-			hi[d] = p->v[i][d] > hi[d] ? p->v[i][d] : hi[d];
-		}
-}
-
-static void bound_share(void *context, size_t from, size_t to)
-{
-	struct speeds_task *t = context;
-	double lo[3], hi[3];
-
-	bound_velocities(t->p, from, to, lo, hi);
-#pragma omp critical(ts_drift_frame)
-	for (int d = 0; d < 3; d++) {
-		t->lo[d] = fmin(t->lo[d], lo[d]);
-		t->hi[d] = fmax(t->hi[d], hi[d]);
-	}
-}
 
 TS_CLONES static void largest_speeds(const struct ts_particles *p, const double centre[3], size_t from,
 				     size_t to, double most[2])
@@ -78,20 +51,18 @@ static void speeds_share(void *context, size_t from, size_t to)
 void ts_drift_frame_speeds(const struct tsim *sim, struct ts_drift_frame_speeds *out)
 {
 	const struct ts_particles *p = sim->particles;
-	struct speeds_task t = { .p = p,
-				 .lo = { INFINITY, INFINITY, INFINITY },
-				 .hi = { -INFINITY, -INFINITY, -INFINITY },
-				 .centre = out->centre };
+	struct speeds_task t = { .p = p, .centre = out->centre };
+	double lo[3], hi[3]; /* of the velocities */
 	int team = ts_team(sim, p->n);
 
 	*out = (struct ts_drift_frame_speeds){ .most = 0 };
-	ts_parallel(team, p->n, bound_share, &t);
+	ts_bounds(team, p->n, (const double(*)[3])p->v, lo, hi);
 	for (int d = 0; d < 3; d++) {
-		t.lo[d] = -ts_ranks_most(sim, -t.lo[d]);
-		t.hi[d] = ts_ranks_most(sim, t.hi[d]);
+		lo[d] = -ts_ranks_most(sim, -lo[d]);
+		hi[d] = ts_ranks_most(sim, hi[d]);
+		/* not so if there are no particles, or speeds overflow */
+		out->centre[d] = isfinite(lo[d] + hi[d]) ? 0.5 * (lo[d] + hi[d]) : 0;
 	}
-	for (int d = 0; d < 3; d++) /* not so if there are no particles, or speeds overflow */
-		out->centre[d] = isfinite(t.lo[d] + t.hi[d]) ? 0.5 * (t.lo[d] + t.hi[d]) : 0;
 	ts_parallel(team, p->n, speeds_share, &t);
 	out->most = sqrt(ts_ranks_most(sim, t.most2));
 	out->most_relative = sqrt(ts_ranks_most(sim, t.most_relative2));

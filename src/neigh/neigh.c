@@ -274,7 +274,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	nb->given_skin = ts_neigh_skin(sim);
 	/* a continued run keeps the positions and the skin of its last build, and so builds the same list */
 	if (!sim->run.resuming || !(nb->built_skin > 0))
-		ts_neigh_choose_skin(sim);
+		ts_neigh_choose_skin(sim, largest);
 	if (!sim->run.resuming) {
 		ts_exchange_hold(sim);
 		if (!sim->run.relist)

@@ -81,9 +81,9 @@ void ts_neigh_radii(const struct tsim *sim, double *least, double *most);
 /* The largest skin, length: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
-/* Sets the skin, and the frame at its start, for the present speeds and time step. The skin is larger than
- * ts_neigh_skin, and the frame moves, only if all faces of the box are fixed. */
-void ts_neigh_choose_skin(struct tsim *sim);
+/* Sets the skin, and the frame at its start, for the present speeds and time step; given_skin and least_radius are known.
+ * The skin is larger than ts_neigh_skin, and the frame moves, only if all faces of the box are fixed. */
+void ts_neigh_choose_skin(struct tsim *sim, double largest_radius);
 /* For the init of outputs and of fixes that may end a run: they read forces of contacts at multiples of
  * `every`. */
 void ts_neigh_keep_forces_every(struct ts_neigh *neigh, int64_t every);

@@ -93,9 +93,8 @@ static bool rebuilds_are_visible(const struct tsim *sim)
 /* The smallest skin, length, that is enough for the displacement per step of the fastest particle. */
 static double choose_skin(const struct tsim *sim, double displacement, bool walls_move)
 {
-	double skin = ts_neigh_skin(sim), least, most, small;
+	double skin = sim->neigh->given_skin, least = sim->neigh->least_radius, small;
 
-	ts_neigh_radii(sim, &least, &most);
 	small = sqrt(SKIN_MEMORY * displacement * 2 * least);
 	small = sim->particles->lost_policy == TS_LOST_IGNORE || walls_move
 			? skin
@@ -106,20 +105,19 @@ static double choose_skin(const struct tsim *sim, double displacement, bool wall
 /* A frame that moves needs a watch (leaving.h), which costs as much as a rebuild in about this number of steps. */
 enum { WATCH_STEPS = 100 };
 
-void ts_neigh_choose_skin(struct tsim *sim)
+void ts_neigh_choose_skin(struct tsim *sim, double largest_radius)
 {
 	struct ts_neigh *nb = sim->neigh;
 	struct ts_drift_frame_speeds speeds;
 	bool walls_move, watched = sim->run.relist && nb->leaving_watched;
-	double dt = sim->clock.dt, least, largest;
+	double dt = sim->clock.dt;
 
-	ts_neigh_radii(sim, &least, &largest);
 	nb->frame = (struct ts_drift_frame){ .shift = { 0 } };
-	nb->built_skin = ts_neigh_skin(sim);
+	nb->built_skin = nb->given_skin;
 	nb->leaving_watched = false;
 	ts_drift_frame_speeds(sim, &speeds);
 	ts_scale(1, speeds.centre, nb->mean_velocity);
-	if (rebuilds_are_visible(sim) || !(largest > 0))
+	if (rebuilds_are_visible(sim) || !(largest_radius > 0))
 		return;
 	walls_move = boundaries_move(sim);
 	if (!walls_move && ts_domain_all_fixed(sim) && ts_drift_frame_pays(&speeds) &&

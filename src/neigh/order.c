@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "math/bounds.h"
 #include "particle/columns.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
@@ -39,43 +40,12 @@ static void number_cells(struct grid *g)
 	}
 }
 
-struct place_task {
-	const struct ts_particles *p;
-	const struct grid *g;
-	double lo[3], hi[3]; /* of the positions */
-};
-
-static void bound_share(void *context, size_t from, size_t to)
-{
-	struct place_task *t = context;
-	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
-
-	for (size_t i = from; i < to; i++) {
-		for (int d = 0; d < 3; d++) {
-			double x = t->p->x[i][d];
-
-			lo[d] = x < lo[d] ? x : lo[d];
-			hi[d] = x > hi[d] ? x : hi[d];
-		}
-	}
-#pragma omp critical(ts_order)
-	for (int d = 0; d < 3; d++) {
-		t->lo[d] = fmin(t->lo[d], lo[d]);
-		t->hi[d] = fmax(t->hi[d], hi[d]);
-	}
-}
-
 static struct grid make_grid(const struct ts_particles *p, int team)
 {
-	struct place_task t = { .p = p,
-				.lo = { INFINITY, INFINITY, INFINITY },
-				.hi = { -INFINITY, -INFINITY, -INFINITY } };
 	struct grid g = { .inverse = 0 };
-	double volume = 1, longest = 0, edge;
-	const double *hi = t.hi;
+	double hi[3], volume = 1, longest = 0, edge;
 
-	ts_parallel(team, p->n, bound_share, &t);
-	memcpy(g.lo, t.lo, sizeof g.lo);
+	ts_bounds(team, p->n, (const double(*)[3])p->x, g.lo, hi);
 	for (int d = 0; d < 3; d++)
 		longest = fmax(longest, hi[d] - g.lo[d]);
 	for (int d = 0; d < 3; d++) /* also for flat and thin bounding boxes */
@@ -108,6 +78,11 @@ static void counting_sort(const struct ts_particles *p, const struct grid *g, co
 	for (size_t k = 0; k < map->n; k++)
 		order[start[cell_of(g, p->x[map->row[k]])]++] = map->row[k];
 }
+
+struct place_task {
+	const struct ts_particles *p;
+	const struct grid *g;
+};
 
 /* Sorting moves all columns, so a few particles that have changed their cell are tolerated: in a random order
  * half of the particles are in an earlier cell than the one before them. */

@@ -1,7 +1,9 @@
 #include "particle/copies.h"
 
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "particle/columns.h"
 #include "particle/division.h"
 
@@ -38,16 +40,70 @@ size_t ts_copies(const struct tsim *sim)
 	return sim->division ? sim->division->copies.n : 0;
 }
 
+int ts_copies_rank(const struct ts_copies *copies, size_t k)
+{
+	int rank = 0;
+
+	while (k >= copies->received[rank])
+		k -= copies->received[rank++];
+	return rank;
+}
+
+/* ---- copies by identity */
+
+static int compare_identities(const void *a, const void *b)
+{
+	const int32_t *x = a, *y = b;
+
+	return (x[0] > y[0]) - (x[0] < y[0]);
+}
+
+enum ts_status ts_copy_map_make(const struct tsim *sim, struct ts_copy_map *map)
+{
+	const int32_t *tag = sim->particles->tag + sim->particles->n;
+
+	*map = (struct ts_copy_map){ .n = ts_copies(sim) };
+	map->entry = ts_alloc(map->n, sizeof *map->entry);
+	if (!map->entry)
+		return TS_NOMEM;
+	for (size_t k = 0; k < map->n; k++) {
+		map->entry[k][0] = tag[k];
+		map->entry[k][1] = (int32_t)k;
+	}
+	ts_sort(map->entry, map->n, sizeof *map->entry, compare_identities);
+	return TS_OK;
+}
+
+int32_t ts_copy_map_find(const struct ts_copy_map *map, int32_t tag)
+{
+	const int32_t *found =
+		map->n ? bsearch(&tag, map->entry, map->n, sizeof *map->entry, compare_identities) : NULL;
+
+	return found ? found[1] : -1;
+}
+
+void ts_copy_map_release(struct ts_copy_map *map)
+{
+	ts_free(map->entry);
+	*map = (struct ts_copy_map){ 0 };
+}
+
 /* ---- rows of all columns */
 
-size_t ts_copies_row_bytes(const struct ts_particles *p)
+/* Bytes of a row in the active columns that have all of these flags. */
+static size_t row_bytes(const struct ts_particles *p, unsigned flags)
 {
 	size_t bytes = 0;
 
 	for (size_t k = 0; k < p->ncolumns; k++)
-		if (p->column[k].active)
+		if (p->column[k].active && ((unsigned)p->column[k].flags & flags) == flags)
 			bytes += p->column[k].element * p->column[k].width;
 	return bytes;
+}
+
+size_t ts_copies_row_bytes(const struct ts_particles *p)
+{
+	return row_bytes(p, 0);
 }
 
 enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out)
@@ -145,16 +201,6 @@ static bool is_forwarded(const struct ts_column *c)
 	return c->active && c->flags & TS_COL_FORWARD;
 }
 
-static size_t forward_bytes(const struct ts_particles *p)
-{
-	size_t bytes = 0;
-
-	for (size_t k = 0; k < p->ncolumns; k++)
-		if (is_forwarded(&p->column[k]))
-			bytes += p->column[k].element * p->column[k].width;
-	return bytes;
-}
-
 /* A constant size lets the compiler inline memcpy. */
 static void collect_rows(unsigned char *to, const struct ts_column *c, const int32_t *row, size_t n)
 {
@@ -208,7 +254,7 @@ void ts_copies_forward(struct tsim *sim)
 	if (!sim->division)
 		return;
 	c = &sim->division->copies;
-	bytes = forward_bytes(p);
+	bytes = row_bytes(p, TS_COL_FORWARD);
 	for (int r = 0; r < sim->world->n; r++) {
 		pack_forwarded(p, c->row + row, c->sent[r], &c->out[r]);
 		row += c->sent[r];

@@ -21,6 +21,21 @@ void ts_copies_release(struct ts_copies *copies, int ranks);
 
 /* Number of copies; 0 without ranks. */
 size_t ts_copies(const struct tsim *sim);
+/* The rank that copy k, k < copies->n, is from. */
+int ts_copies_rank(const struct ts_copies *copies, size_t k);
+
+/* Copies by identity. */
+struct ts_copy_map {
+	int32_t (*entry)[2]; /* identity; number of the copy */
+	size_t n;
+};
+
+/* Makes the map, released by ts_copy_map_release; TS_OK or TS_NOMEM. */
+enum ts_status ts_copy_map_make(const struct tsim *sim, struct ts_copy_map *map);
+/* Number of the copy with this identity, or -1. */
+int32_t ts_copy_map_find(const struct ts_copy_map *map, int32_t tag);
+void ts_copy_map_release(struct ts_copy_map *map);
+
 /* Makes the copies of all particles of other ranks that are, or have a periodic image, within `cutoff` of the block
  * of this one. */
 enum ts_status ts_copies_make(struct tsim *sim, double cutoff);

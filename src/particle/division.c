@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "base/sort.h"
 #include "box/domain.h"
 #include "core/plan.h"
 #include "core/ranks.h"
@@ -186,33 +185,9 @@ static struct ts_parcel *empty_parcels(const struct tsim *sim)
 	return out;
 }
 
-static int compare_tags(const void *a, const void *b)
-{
-	const int32_t *x = a, *y = b;
-
-	return (x[0] > y[0]) - (x[0] < y[0]);
-}
-
-/* The copies, sorted: identity, rank. */
-static int32_t (*sorted_copies(const struct tsim *sim))[2]
-{
-	const struct ts_copies *c = &sim->division->copies;
-	const int32_t *tag = sim->particles->tag + sim->particles->n;
-	int32_t(*list)[2] = ts_alloc(c->n + 1, sizeof *list);
-	size_t k = 0;
-
-	for (int r = 0; list && r < sim->world->n; r++)
-		for (size_t end = k + c->received[r]; k < end; k++) {
-			list[k][0] = tag[k];
-			list[k][1] = (int32_t)r;
-		}
-	if (list)
-		ts_sort(list, c->n, sizeof *list, compare_tags);
-	return list;
-}
-
 /* Rows of copies are sent to the ranks of their originals. */
-static enum ts_status send_rows_home(struct tsim *sim, struct ts_carried *rows, int32_t (*copy)[2])
+static enum ts_status send_rows_home(struct tsim *sim, struct ts_carried *rows,
+				     const struct ts_copy_map *copy)
 {
 	struct ts_carried local = { .bytes = rows->bytes }, away = { .bytes = rows->bytes };
 	struct ts_parcel *out = empty_parcels(sim);
@@ -222,11 +197,10 @@ static enum ts_status send_rows_home(struct tsim *sim, struct ts_carried *rows, 
 	for (size_t k = 0; k < n && status == TS_OK; k++) {
 		int32_t tag;
 		const unsigned char *row = ts_carried_row(&away, k, &tag);
-		const int32_t *found =
-			bsearch(&tag, copy, sim->division->copies.n, sizeof *copy, compare_tags);
+		int32_t found = ts_copy_map_find(copy, tag);
 
-		if (found &&
-		    ts_parcel_add(&out[found[1]], row - sizeof tag, sizeof tag + rows->bytes) != TS_OK)
+		if (found >= 0 && ts_parcel_add(&out[ts_copies_rank(&sim->division->copies, (size_t)found)],
+						row - sizeof tag, sizeof tag + rows->bytes) != TS_OK)
 			status = ts_nomem(&sim->error);
 	}
 	if (status == TS_OK)
@@ -241,17 +215,16 @@ static enum ts_status send_rows_home(struct tsim *sim, struct ts_carried *rows, 
 enum ts_status ts_division_let_go(struct tsim *sim)
 {
 	struct ts_division *d = sim->division;
-	int32_t(*copy)[2] = NULL;
+	struct ts_copy_map copy;
 	enum ts_status status;
 
 	if (!d)
 		return TS_OK;
 	TS_TRY(give_all(sim, d, false));
-	copy = sorted_copies(sim);
-	status = copy ? TS_OK : ts_nomem(&sim->error);
+	status = ts_copy_map_make(sim, &copy) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	for (size_t k = 0; k < d->ncarried && status == TS_OK; k++)
-		status = send_rows_home(sim, &d->carried[k], copy);
-	ts_free(copy);
+		status = send_rows_home(sim, &d->carried[k], &copy);
+	ts_copy_map_release(&copy);
 	return status;
 }
 

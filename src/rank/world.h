@@ -1,6 +1,6 @@
 /* Ranks: processes that compute one simulation together.
  *
- * The program that started them provides the functions (program/program_mpi.c: MPI). Without ranks there is no
+ * The program that started them provides the functions (program/program_ranks.c: MPI). Without ranks there is no
  * communicator: a pointer to it is NULL. All functions are collective: every rank calls the same ones in the same
  * order. They do not return if a rank has failed: then all of them end with the message of that rank. */
 #ifndef TS_RANK_WORLD_H
