@@ -9,13 +9,14 @@ awk -F' *[|] *' '/^<!-- end of race/ { exit } $4 == "LIGGGHTS" || $4 == "LAMMPS"
 	END { for (k = 0; k < n; k++) { a = t[name[k], "LIGGGHTS"]; b = t[name[k], "LAMMPS"]
 		print name[k], a == "" ? 0 : a, b == "" ? 0 : b } }' doc/speed.md >"$work/table"
 gnuplot <<END
-set terminal pngcairo size 1000,330 font ",11"
+set terminal pngcairo size 1000,360 font ",11"
 set output 'doc/figures/speed.png'
 set style data histograms
 set style histogram clustered gap 1
 set style fill solid 0.9 border -1
 set boxwidth 0.9
 set yrange [0:*]
+set xtics rotate by -30
 set ylabel 'time of the other / time of tsim'
 set grid ytics
 set key outside right top
