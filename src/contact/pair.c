@@ -80,12 +80,13 @@ enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types 
 enum ts_status ts_pair_row(struct tsim *sim, const struct ts_word *style, const struct ts_word *name,
 			   const struct ts_arg **row)
 {
-	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_suggest suggest = ts_suggest_start(name->text);
 
 	if (!pair || !ts_streq(pair->style->name, style->text))
 		return ts_fail(&sim->error, TS_STATE, &style->place, "pair style '%s' is not in use%s%s",
 			       style->text, pair ? ", it is " : "", pair ? pair->style->name : "");
+	TS_TRY(ts_pair_prepare(sim, pair)); /* the coefficients may not have been given yet */
 	for (*row = pair->style->coeff; *row && (*row)->type != TS_ARG_END; ++*row) {
 		if ((*row)->type != TS_ARG_REAL)
 			continue;
@@ -95,6 +96,13 @@ enum ts_status ts_pair_row(struct tsim *sim, const struct ts_word *style, const 
 	}
 	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "pair style %s has no number '%s'%s",
 		       style->text, name->text, ts_suggest_text(&suggest));
+}
+
+bool ts_pair_given(const struct tsim *sim, int a, int b)
+{
+	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
+
+	return pair->coeffs.n && pair->coeffs.given[entry_of(pair, a, b)];
 }
 
 static double *number_of(const struct tsim *sim, const struct ts_arg *row, int a, int b)

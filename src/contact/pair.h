@@ -67,6 +67,7 @@ enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types 
  * style; the others read and set its value for two types. */
 enum ts_status ts_pair_row(struct tsim *sim, const struct ts_word *style, const struct ts_word *name,
 			   const struct ts_arg **row);
+bool ts_pair_given(const struct tsim *sim, int a, int b); /* whether pair_coeff has given the coefficients */
 double ts_pair_number(const struct tsim *sim, const struct ts_arg *row, int a, int b);
 enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b, double value,
 				  const struct ts_place *where);

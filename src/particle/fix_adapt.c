@@ -131,7 +131,22 @@ static enum ts_status read_changes(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Stores the coefficients at the time when the fix is defined: an array of pairs of types for each change. */
+/* Whether pair_coeff has given all coefficients that the fix changes: it may follow the fix. */
+static bool all_given(const struct state *s, const struct tsim *sim)
+{
+	for (size_t k = 0; k < s->n; k++) {
+		const struct change *c = &s->change[k];
+
+		for (int a = c->a.lo; c->what == PAIR && a <= c->a.hi; a++)
+			for (int b = c->b.lo; b <= c->b.hi; b++)
+				if (!ts_pair_given(sim, a, b))
+					return false;
+	}
+	return true;
+}
+
+/* Stores the coefficients as they are when the fix is defined, or in the first run if they are given later: an
+ * array of pairs of types for each change. */
 static enum ts_status store_first_coefficients(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -141,6 +156,8 @@ static enum ts_status store_first_coefficients(struct ts_instance *self, struct 
 	for (size_t k = 0; k < s->n; k++)
 		if (s->change[k].what == PAIR)
 			TS_TRY(ts_pair_row(sim, s->change[k].style, s->change[k].number, &s->change[k].row));
+	if (fresh && !all_given(s, sim))
+		return TS_OK;
 	if (TS_GROW(s->first, s->first_capacity, s->n * room) != TS_OK)
 		return ts_nomem(&sim->error);
 	s->first_n = s->n * room;
@@ -230,6 +247,9 @@ static enum ts_status apply_pair_change(struct ts_instance *self, struct tsim *s
 	size_t types = (size_t)sim->particles->ntypes + 1;
 	double value;
 
+	if (!s->first_n)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix adapt changes coefficients of types that no pair_coeff has given");
 	TS_TRY(ts_number_now(sim, &c->value, &self->where, &value));
 	for (int a = c->a.lo; a <= c->a.hi; a++)
 		for (int b = c->b.lo; b <= c->b.hi; b++) {
@@ -278,7 +298,7 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 	struct ts_particles *p = sim->particles;
 	size_t types = (size_t)p->ntypes + 1;
 
-	if (!s->reset)
+	if (!s->reset || !s->applied)
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_in_group(p, i, self->group) ||
@@ -304,6 +324,7 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 static enum ts_status archive_coefficients(struct ts_instance *self, struct tsim *sim, const struct change *c,
 					   struct ts_archive *a, const char *name)
 {
+	const struct state *s = self->state;
 	size_t types = (size_t)sim->particles->ntypes + 1, n = types * types;
 	double *now = ts_alloc(n, sizeof *now);
 	enum ts_status status;
@@ -314,7 +335,7 @@ static enum ts_status archive_coefficients(struct ts_instance *self, struct tsim
 		for (int j = c->b.lo; j <= c->b.hi; j++)
 			now[(size_t)i * types + (size_t)j] = ts_pair_number(sim, c->row, i, j);
 	status = ts_archive_fixed(a, name, TS_SAVED_F64, now, n);
-	for (int i = c->a.lo; !ts_archive_writing(a) && status == TS_OK && i <= c->a.hi; i++)
+	for (int i = c->a.lo; s->applied && !ts_archive_writing(a) && status == TS_OK && i <= c->a.hi; i++)
 		for (int j = c->b.lo; status == TS_OK && j <= c->b.hi; j++)
 			status = ts_pair_set_number(sim, c->row, i, j, now[(size_t)i * types + (size_t)j],
 						    &self->where);
@@ -360,7 +381,8 @@ static const struct ts_arg args[] = {
 			 .help = "one or more of atom diameter|density|mass v_NAME and pair STYLE NUMBER I J "
 				 "v_NAME"),
 	TS_BOOL("scale", struct state, scale, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "the variables are factors of the values at the time when the fix was defined"),
+		.help = "the variables are factors of the values at the time when the fix was defined; of "
+			"coefficients given later: of those at the first run"),
 	TS_BOOL("reset", struct state, reset, .fallback = "no",
 		.help = "restore the values of that time at the end of each run"),
 	TS_BOOL("mass", struct state, mass, .fallback = "yes",

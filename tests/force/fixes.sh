@@ -208,6 +208,39 @@ says 'pair, scaled' 'softer 0.005000'
 says 'always of the first value' 'softer again 0.005000'
 says 'reset' 'hard again 0.010000'
 
+# the same with the fix before the coefficients: factors are those of the values given later
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.3 0.6 0.3 units box
+create_atoms 1 single 0.5 0.6 0.3 units box
+set group all diameter 0.21 density 2385
+pair_style spring/dashpot
+fix n all nve
+timestep 1e-6
+variable soft equal 0.5
+fix b all adapt 1 pair spring/dashpot stiffness 1 1 v_soft scale yes reset yes
+pair_coeff * * stiffness 2385 restitution 1
+run 1
+print "softer $(fx[2]/2385:%.6f)"
+unfix b
+run 0
+print "hard again $(fx[2]/2385:%.6f)"
+END
+says 'coefficients after the fix' 'softer 0.005000'
+says 'coefficients after the fix, reset' 'hard again 0.010000'
+cat >in.wrong <<'END'
+region box block 0 1 0 1 0 1
+create_box 2 box
+create_atoms 1 single 0.3 0.6 0.3 units box
+pair_style spring/dashpot
+pair_coeff 1 1 stiffness 1 restitution 1
+variable soft equal 0.5
+fix n all nve
+fix a all adapt 1 pair spring/dashpot stiffness 1 2 v_soft
+run 0
+END
+refused 'coefficients never given' 'types that no pair_coeff has given' -in in.wrong
+
 # the box: lengths of each style, one goal over two runs, and what flies through its faces
 script <<'END'
 create_box 1 box
