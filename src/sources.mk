@@ -1105,6 +1105,8 @@ library_sources = \
 	src/particle/prescribed.h \
 	src/particle/quantity.c \
 	src/particle/quantity.h \
+	src/particle/rank_sums.c \
+	src/particle/rank_sums.h \
 	src/particle/reference.c \
 	src/particle/reference.h \
 	src/particle/sphere_shape.h \

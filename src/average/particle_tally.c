@@ -4,6 +4,7 @@
 
 #include "math/exactsum.h"
 #include "particle/particles.h"
+#include "particle/rank_sums.h"
 
 #include "base/banned.h"
 
@@ -44,6 +45,24 @@ const double *ts_particle_tally_sums(struct ts_particle_tally *tally)
 			tally->n ? ts_exactsum_of(&tally->note[0][k], tally->n, TS_PARTICLE_TALLY_MOST) : 0;
 	tally->fresh = false;
 	return tally->sum;
+}
+
+enum ts_status ts_particle_tally_join(struct tsim *sim, struct ts_particle_tally *tally)
+{
+	struct ts_exactsum sum[TS_PARTICLE_TALLY_MOST];
+
+	if (!tally->fresh)
+		return TS_OK;
+	for (size_t k = 0; k < TS_PARTICLE_TALLY_MOST; k++) {
+		sum[k] = ts_exactsum_start();
+		for (size_t i = 0; i < tally->n; i++)
+			ts_exactsum_add(&sum[k], tally->note[i][k]);
+	}
+	TS_TRY(ts_rank_sums(sim, sum, TS_PARTICLE_TALLY_MOST));
+	for (size_t k = 0; k < TS_PARTICLE_TALLY_MOST; k++)
+		tally->sum[k] = ts_exactsum_value(&sum[k]);
+	tally->fresh = false;
+	return TS_OK;
 }
 
 void ts_particle_tally_release(struct ts_particle_tally *tally)

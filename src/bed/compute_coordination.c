@@ -153,6 +153,7 @@ TS_STYLE(compute, ts_style, ts_compute_coordination)
 const struct ts_style ts_compute_coordination = {
 	.name = "coordination",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Mean and mechanical coordination number of a packing",
 	.doc = "The mean coordination number of the particles of the group, and the mechanical one, of those "
 	       "that can bear a load:\n\n"

@@ -289,6 +289,7 @@ TS_STYLE(compute, ts_style, ts_compute_stress_region)
 const struct ts_style ts_compute_stress_region = {
 	.name = "stress/region",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Mean stress of the grains in a region, from contacts, bonds, walls and motion",
 	.doc = "The Cauchy stress of a granular assembly, averaged over a region of volume V:\n\n"
 	       "    s_ab = (sum_c w_c (d_a F_b + d_b F_a)/2 + sum_i m (v_a - u_a)(v_b - u_b)) / V\n\n"

@@ -257,6 +257,7 @@ TS_STYLE(compute, ts_style, ts_compute_fabric)
 const struct ts_style ts_compute_fabric = {
 	.name = "fabric",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Fabric tensors: anisotropy of contacts, of their lengths and forces",
 	.doc = "The contacts between particles of the group have directions n, distances of the centres l, "
 	       "and forces with a normal part f_n n (f_n > 0 if repulsive) and a tangential part f_t. Their "

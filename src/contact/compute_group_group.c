@@ -92,6 +92,7 @@ TS_STYLE(compute, ts_style, ts_compute_group_group)
 const struct ts_style ts_compute_group_group = {
 	.name = "group/group",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Force between two groups",
 	.doc = "The sum of the forces that particles of the other group exert on those of the compute's "
 	       "group through contacts, and with `bond yes` also through bonds. A pair whose particles are "

@@ -71,6 +71,7 @@ TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 const struct ts_style ts_compute_stress_atom = {
 	.name = "stress/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Stress of each particle times its volume",
 	.doc = "S_ab = -(m v_a v_b + 1/2 sum d_a F_b), the sum over the contacts and bonds of the particle, "
 	       "d the vector from the partner and F its force on the particle, for ab = xx, yy, zz, xy, xz, "

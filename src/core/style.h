@@ -186,6 +186,9 @@ struct ts_style {
 	unsigned ranks; /* enum ts_rank_use; commands need none, as each rank has all particles then */
 	/* Whether a hook of END_OF_STEP or OUTPUT has anything to do in this step; NULL: always. */
 	bool (*due)(const struct ts_instance *self, const struct tsim *sim);
+	/* While the particles are divided among ranks, before all ranks get all particles: sums over the particles of this
+	 * rank become those over all of them (particle/rank_sums.h), for outputs. */
+	ts_hook_fn *join;
 	const struct ts_carrier
 		*carrier; /* state by particle that changes ranks with it; NULL: there is none */
 	void (*fini)(struct ts_instance *self);

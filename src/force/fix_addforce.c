@@ -99,6 +99,11 @@ static enum ts_status eval_before(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_particle_tally_join(sim, &((struct addforce *)self->state)->before);
+}
+
 static void fini(struct ts_instance *self)
 {
 	struct addforce *s = self->state;
@@ -138,6 +143,8 @@ TS_STYLE(fix, ts_style, ts_fix_addforce)
 const struct ts_style ts_fix_addforce = {
 	.name = "addforce",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = join,
 	.summary = "adds a force to each particle of the group",
 	.doc = "Adds the force (fx, fy, fz) to each particle of the group (that is in the region). The "
 	       "potential energy of the constant components is -f . x with unwrapped positions x; components "

@@ -59,6 +59,7 @@ TS_STYLE(fix, ts_style, ts_fix_damping_cundall)
 const struct ts_style ts_fix_damping_cundall = {
 	.name = "damping/cundall",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "local damping: opposes the motion in proportion to the force",
 	.doc = "Adds to each component of the force -gamma_l |F| sgn(v), with the force F on the particle "
 	       "that the pair and bond styles and the fixes defined before have exerted, and to each "

@@ -29,6 +29,7 @@ TS_STYLE(fix, ts_style, ts_fix_lineforce)
 const struct ts_style ts_fix_lineforce = {
 	.name = "lineforce",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "keeps only the component of the force along a line",
 	.doc = "Replaces the force on each particle of the group by its component along the line, f = (f . "
 	       "e) e with the unit vector e of the direction. Particles that start at rest then move along "

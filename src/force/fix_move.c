@@ -400,6 +400,7 @@ TS_STYLE(fix, ts_style, ts_fix_move)
 const struct ts_style ts_fix_move = {
 	.name = "move",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "prescribes the motion of particles",
 	.doc = "Replaces the time integration for the particles of the group: their position is a function of "
 	       "the time t since the fix was defined, independent of the forces on them. With the position x0 "

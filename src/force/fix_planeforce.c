@@ -29,6 +29,7 @@ TS_STYLE(fix, ts_style, ts_fix_planeforce)
 const struct ts_style ts_fix_planeforce = {
 	.name = "planeforce",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "keeps only the component of the force in a plane",
 	.doc = "Removes the force component normal to the plane from each particle of the group, f = f - (f "
 	       ". e) e with the unit normal e. Particles that start at rest then move in planes. Define this "

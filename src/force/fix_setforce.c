@@ -70,6 +70,11 @@ static enum ts_status eval_before(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_particle_tally_join(sim, &((struct setforce *)self->state)->before);
+}
+
 static void fini(struct ts_instance *self)
 {
 	struct setforce *s = self->state;
@@ -102,6 +107,8 @@ TS_STYLE(fix, ts_style, ts_fix_setforce)
 const struct ts_style ts_fix_setforce = {
 	.name = "setforce",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = join,
 	.summary = "sets components of the force on each particle of the group",
 	.doc = "Replaces the force on each particle of the group (that is in the region) by (fx, fy, fz). "
 	       "All forces that were added earlier in the time step are discarded; a component that is NULL "

@@ -108,6 +108,11 @@ static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_particle_tally_join(sim, &((struct state *)self->state)->energy);
+}
+
 static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
@@ -132,6 +137,8 @@ TS_STYLE(fix, ts_style, ts_fix_spring_self)
 const struct ts_style ts_fix_spring_self = {
 	.name = "spring/self",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = join,
 	.summary = "tethers each particle to its initial position by a spring",
 	.doc = "Adds the force f = -K (x - x0) to each particle of the group, in the given directions. x and "
 	       "x0 are unwrapped positions, x0 that when the fix was defined or, for particles created later, "

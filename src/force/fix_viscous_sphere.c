@@ -60,6 +60,7 @@ TS_STYLE(fix, ts_style, ts_fix_viscous_sphere)
 const struct ts_style ts_fix_viscous_sphere = {
 	.name = "viscous/sphere",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "adds a viscous torque proportional to the angular velocity",
 	.doc = "Adds the torque T = -gamma omega to each particle of the group; `scale` multiplies gamma for "
 	       "a type. Velocity Verlet is stable for time steps below 2 I/gamma with the smallest moment of "

@@ -47,6 +47,7 @@ TS_STYLE(compute, ts_style, ts_compute_neighbor_atom)
 const struct ts_style ts_compute_neighbor_atom = {
 	.name = "neighbor/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Number of neighbours of each particle",
 	.doc = "Number of other particles, of any group, that were nearer than the sum of the radii plus the "
 	       "skin (command neighbor) when the neighbour list was built last. Periodic images count, "

@@ -439,11 +439,24 @@ static enum ts_status print_warnings(struct tsim *sim, struct ts_division *d)
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+static enum ts_status join_sums(struct tsim *sim)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++) {
+			struct ts_instance *inst = sim->instances[kind].item[k];
+
+			if (inst->style->join)
+				TS_TRY(inst->style->join(inst, sim));
+		}
+	return TS_OK;
+}
+
 enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim)
 {
 	struct ts_division *d = sim->division;
 
 	ts_deferred_loops_run(sim);
+	TS_TRY(join_sums(sim));
 	TS_TRY(give_all(sim, d, true));
 	for (size_t k = 0; k < d->ncarried; k++)
 		TS_TRY(keep_local_rows(sim, &d->carried[k]));

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "box/domain.h"
+#include "core/uses.h"
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -389,10 +390,22 @@ static const struct ts_function functions[] = {
 	{ .name = NULL },
 };
 
+/* Variables would have to be evaluated while the particles are divided. */
+static const char *undivided(const struct tsim *sim)
+{
+	const struct ts_instances *regions = &sim->instances[TS_KIND_REGION];
+
+	for (size_t k = 0; k < regions->n; k++)
+		if (ts_region_varies(regions->item[k]) && ts_uses_region(sim, regions->item[k]))
+			return "a region that moves or changes its size";
+	return NULL;
+}
+
 const struct ts_system_style ts_regions_system = {
 	.style = { .name = "regions",
 		   .kind = TS_KIND_SYSTEM,
 		   .summary = "functions of formulas over regions" },
 	.no_instance = true,
 	.functions = functions,
+	.undivided = undivided,
 };

@@ -100,6 +100,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK; /* refused by the plan */
 	TS_TRY(ts_wall_make_laws(self, sim));
 	TS_TRY(ts_surface_contacts_find_observers(sim, w));
+	ts_wall_force(w);
 	TS_TRY(w->shape->list(self, sim));
 	return ts_impacts_prepare(self, sim);
 }
@@ -175,12 +176,6 @@ static const struct ts_value values[] = {
 	TS_WALL_FORCE_VALUE,
 	TS_WALL_CONTACTS_VALUE,
 	{ .name = NULL },
-};
-
-/* Saved for the output at the first step after a restart. */
-static const struct ts_saved saved[] = {
-	{ "force", TS_SAVED_F64, offsetof(struct wall, wall.force), 3 },
-	TS_SAVED_ROWS_END,
 };
 
 static const char doc[] =
@@ -285,14 +280,14 @@ const struct ts_style ts_fix_wall_gran = {
 	.args = args,
 	.groups = groups,
 	.family = TS_FAMILY_WALL,
-	.ranks = TS_RANKS_OWN,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = ts_wall_join,
 	.carrier = &ts_wall_carrier,
 	.state_size = sizeof(struct wall),
 	.archive = archive,
 	.values = values,
 	.gives = ts_wall_gives,
 	.init = init,
-	.saved = saved,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = ts_exact_carry,
 		  [TS_STAGE_CHECK] = check,
 		  [TS_STAGE_POST_BUILD] = post_build,

@@ -23,11 +23,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_wall *w = self->state;
+	struct ts_wall *w = self->state;
 
 	if (!ts_wall_has_law(w, sim))
 		return TS_OK; /* refused by the plan */
 	TS_TRY(ts_wall_make_laws(self, sim));
+	ts_wall_force(w);
 	return w->shape->list(self, sim);
 }
 
@@ -54,11 +55,6 @@ static const struct ts_value values[] = {
 	TS_WALL_FORCE_VALUE,
 	TS_WALL_CONTACTS_VALUE,
 	{ .name = NULL },
-};
-
-static const struct ts_saved saved[] = {
-	{ "force", TS_SAVED_F64, offsetof(struct wall, wall.force), 3 },
-	TS_SAVED_ROWS_END,
 };
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -120,7 +116,6 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.values = values,
 	.gives = ts_wall_gives,
 	.init = init,
-	.saved = saved,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.plan = ts_wall_plan,
 	.review = ts_coincide_review,

@@ -8,10 +8,12 @@
 #include "contact/limits.h"
 #include "contact/multicontact.h"
 #include "contact/substep_contacts.h"
+#include "core/ranks.h"
 #include "core/report.h"
 #include "insert/template.h"
 #include "particle/columns.h"
 #include "particle/prescribed.h"
+#include "particle/rank_sums.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -142,6 +144,9 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
 		TS_TRY(add_force_column(self, sim));
+	if (w->list_contacts)
+		TS_TRY(ts_ranks_refuse(sim, "an output of each contact with a wall (contacts)",
+				       ts_instance_word(self, "contacts")));
 	w->contacts.want_reports |= w->list_contacts;
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
 	if (w->own_model && !w->given)
@@ -293,6 +298,7 @@ void ts_wall_start(struct ts_wall *w, struct tsim *sim)
 	const struct ts_particles *p = sim->particles;
 
 	w->force[0] = w->force[1] = w->force[2] = 0;
+	w->unsummed = false;
 	if (w->store_force && p->n)
 		memset(p->column[w->stored].data, 0, p->n * 3 * sizeof(double));
 }
@@ -301,14 +307,42 @@ void ts_wall_finish(struct ts_wall *w)
 {
 	const struct ts_wall_contacts *c = &w->contacts;
 	const uint8_t *inside = c->n ? memchr(c->touching, TS_TOUCH_INSIDE, c->n) : NULL;
-	double force[3];
 
-	/* without branches: the force of a contact that does not touch is 0 */
-	ts_scale(1, w->force, force);
-	for (size_t k = 0; k < c->n; k++)
-		ts_sub(force, c->force[k], force);
-	ts_scale(1, force, w->force);
+	w->unsummed = true;
 	w->inside = inside ? (size_t)(inside - c->touching) : TS_WALL_NONE;
+}
+
+/* Without branches: the force of a contact that does not touch is 0. */
+static enum ts_status sum_forces(struct ts_wall *w, struct tsim *sim)
+{
+	const struct ts_wall_contacts *c = &w->contacts;
+	struct ts_exactsum sum[3];
+
+	for (int d = 0; d < 3; d++) {
+		sum[d] = ts_exactsum_start();
+		for (size_t k = 0; k < c->n; k++)
+			ts_exactsum_add(&sum[d], -c->force[k][d]);
+	}
+	if (sim)
+		TS_TRY(ts_rank_sums(sim, sum, 3));
+	for (int d = 0; d < 3; d++)
+		w->force[d] += ts_exactsum_value(&sum[d]);
+	w->unsummed = false;
+	return TS_OK;
+}
+
+const double *ts_wall_force(struct ts_wall *w)
+{
+	if (w->unsummed)
+		sum_forces(w, NULL);
+	return w->force;
+}
+
+enum ts_status ts_wall_join(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *w = self->state;
+
+	return w->unsummed ? sum_forces(w, sim) : TS_OK;
 }
 
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
@@ -410,11 +444,8 @@ bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, str
 
 enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct ts_wall *w = self->state;
-
 	(void)sim;
-	for (int k = 0; k < 3; k++)
-		out->data[k] = w->force[k];
+	ts_scale(1, ts_wall_force(self->state), out->data);
 	return TS_OK;
 }
 
@@ -473,6 +504,8 @@ enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struc
 {
 	struct ts_wall *w = self->state;
 
+	ts_wall_force(w);
+	TS_TRY(ts_archive_fixed(a, "force", TS_SAVED_F64, w->force, 3));
 	if (w->store_force)
 		TS_TRY(ts_particles_archive_column(a, sim, sim->particles->column[w->stored].name,
 						   w->stored));
@@ -483,6 +516,7 @@ static enum ts_status give_contacts(struct ts_instance *self, struct tsim *sim, 
 				    struct ts_carried *out)
 {
 	(void)results;
+	ts_wall_force(self->state);
 	return ts_wall_contacts_give(sim, &((struct ts_wall *)self->state)->contacts, out);
 }
 

@@ -50,7 +50,10 @@ struct ts_wall {
 	const struct ts_instance *by;	/* its fix; set in init */
 	struct ts_granular_words words; /* `model ...`; normal off: the model of the pair style */
 	struct ts_wall_contacts contacts;
-	double force[3]; /* sum of the forces of particles on the wall in the last step */
+	/* sum of the forces of particles on the wall in the last step: ts_wall_force; while `unsummed` without those of
+	 * the contacts, which are summed if something needs it */
+	double force[3];
+	bool unsummed;
 	/* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
 	size_t inside;
 	const struct ts_wall_shape *shape; /* set by ts_wall_find, with */
@@ -173,9 +176,14 @@ size_t ts_wall_meshes(const struct ts_wall *w);
 
 /* Sets the force on the wall and stored forces to 0. */
 void ts_wall_start(struct ts_wall *w, struct tsim *sim);
-/* Sums the force on the wall in the order of contacts; finds a centre of a particle in the surface
- * (`inside`), which ts_coincide_wall (wall/wall_coincide.h) refuses. */
+/* After all forces of the step; finds a centre of a particle in the surface (`inside`), which ts_coincide_wall
+ * (wall/wall_coincide.h) refuses. */
 void ts_wall_finish(struct ts_wall *w);
+/* The force on the wall: the exact sum of those of its contacts, rounded once, and of others. Called before the
+ * contacts change, too. */
+const double *ts_wall_force(struct ts_wall *w);
+/* Slot `join` of walls. */
+enum ts_status ts_wall_join(struct ts_instance *self, struct tsim *sim);
 
 /* Checks that the law is defined between particles of the group and all surfaces, and reports the largest stable time
  * step of the contacts. */

@@ -19,7 +19,7 @@ ranks() {
 	timeout 300 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 
-for scene in bed gas outlet; do
+for scene in bed gas outlet pushed; do
 	"$TSIM" -in "$scenes/in.$scene" -log log.1 -screen none -var out one >out 2>&1
 	report "$scene runs alone" $? out
 	rows log.1 >rows.1
@@ -30,8 +30,13 @@ for scene in bed gas outlet; do
 		same "$scene: table on $n ranks" rows.1 "rows.$n"
 		same "$scene: dump on $n ranks" one.dump many.dump
 		same "$scene: averages on $n ranks" one.mean many.mean
+		if [ -f one.pairs ]; then
+			same "$scene: contacts on $n ranks" one.pairs many.pairs
+			same "$scene: distribution on $n ranks" one.rdf many.rdf
+		fi
 		rm -f many.*
 	done
+	rm -f one.pairs one.rdf
 done
 OMP_NUM_THREADS=2 ranks 2 -in "$scenes/in.bed" -log log.2 -screen none -var out many
 rows log.2 >rows.2
@@ -83,13 +88,15 @@ refused() {
 	report "$what: alone it runs" $? out
 }
 integrate='fix 1 all nve'
-refused 'a fix' 5:11 'fix addforce does not work with several ranks' 'fix f all addforce 1 0 0' "$integrate"
-refused 'a compute' 5:15 'compute msd does not work' 'compute m all msd' "$integrate"
+refused 'a fix' 5:11 'fix aveforce does not work with several ranks' 'fix f all aveforce 1 0 0' "$integrate"
+refused 'a compute' 5:15 'compute repose/angle does not work' 'compute m all repose/angle cone base 0 column 1' "$integrate"
 refused 'a value that changes' 6:19 "'v_g' is a value that changes" 'variable g equal 1+step' \
 	'fix g all gravity v_g vector 0 0 -1' "$integrate"
-refused 'an output of a wall' 9:32 'f_w.* does not work' 'change_box all boundary f f f' \
+refused 'an output of each contact of a wall' 8:63 'an output of each contact with a wall' 'change_box all boundary f f f' \
 	'pair_style gran/hooke 200 NULL 5 NULL 0.5 0' 'pair_coeff * *' \
-	'fix w all wall/gran hooke 200 NULL 5 NULL 0.5 0 zplane 0 NULL' 'thermo_style custom step atoms f_w[3]' "$integrate"
+	'fix w all wall/gran hooke 200 NULL 5 NULL 0.5 0 zplane 0 NULL contacts' "$integrate"
+refused 'a region that moves' 9:1 'a region that moves or changes its size does not work' 'variable s equal step' \
+	'region r sphere 5 5 5 3 move v_s NULL NULL' 'fix f all addforce 1 0 0 region r' "$integrate"
 
 # Errors: in the script, and of one rank in a step.
 printf 'units lj\nnonsense 1\n' >in.wrong
