@@ -83,7 +83,8 @@ static bool stage_is_due(const struct ts_plan *plan, const struct tsim *sim, enu
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim)
 {
 	return sim->clock.step == sim->clock.last_step || sim->requests.saving || sim->requests.stop ||
-	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP) || stage_is_due(plan, sim, TS_STAGE_OUTPUT);
+	       sim->run.uneven || stage_is_due(plan, sim, TS_STAGE_END_OF_STEP) ||
+	       stage_is_due(plan, sim, TS_STAGE_OUTPUT);
 }
 
 void ts_ranks_agree(struct tsim *sim)

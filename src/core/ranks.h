@@ -33,7 +33,8 @@ enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, co
 enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
 /* Before a run: asks all systems whether the particles can be divided. */
 enum ts_status ts_ranks_check_systems(struct tsim *sim);
-/* Whether a hook of END_OF_STEP or OUTPUT of this step needs all particles on each rank. */
+/* Whether a hook of END_OF_STEP or OUTPUT of this step needs all particles on each rank, or they are to be divided
+ * again. */
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);
 /* After CHECK: all ranks rebuild the contact list, end or save if one of them wants it. */
 void ts_ranks_agree(struct tsim *sim);

@@ -1,5 +1,6 @@
 #include "particle/division.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "box/domain.h"
@@ -12,36 +13,109 @@
 
 /* ---- blocks */
 
-static enum ts_status cut_blocks(struct tsim *sim, struct ts_division *d, const double lo[3],
-				 const double hi[3])
-{
-	const struct ts_box *box = &sim->domain->box;
-	bool periodic[3];
+/* Room for chance, in particles. */
+enum { FEW = 100 };
+/* The blocks are cut again if one has more than this times the particles of the largest one after the last cut: between
+ * steps in which particles are divided anyway, and in others, for which all of them are gathered. */
+static const double UNEVEN = 1.05, VERY_UNEVEN = 1.2;
 
-	for (int k = 0; k < 3; k++)
-		periodic[k] = ts_box_periodic(box, k);
-	return ts_rank_blocks_cut(&d->blocks, d->blocks.count, lo, hi, periodic) ? TS_OK
-										 : ts_nomem(&sim->error);
+/* The length of the space that most of the particles fill, from points sorted along d; not 0. */
+static double filled_length(double (*x)[3], size_t n, int d, double box_length)
+{
+	size_t few = n / 20;
+
+	return n ? fmax(x[n - 1 - few][d] - x[few][d], 1e-3 * box_length) : box_length;
 }
 
-static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d)
+static enum ts_status choose_grid(struct tsim *sim, double (*x)[3], size_t n, int count[3])
 {
 	const struct ts_domain *domain = sim->domain;
-	int count[3];
 	double length[3];
 
+	for (int k = 0; k < 3; k++) {
+		ts_rank_points_sort(x, n, k);
+		length[k] = filled_length(x, n, k, domain->held_hi[k] - domain->held_lo[k]);
+	}
+	if (ts_rank_blocks_choose(sim->world->n, domain->processors, length, sim->dimension, count))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 0, NULL),
+		       "processors: %d ranks cannot be arranged in a grid of %d x %d x %d (0: any "
+		       "number)",
+		       sim->world->n, domain->processors[0], domain->processors[1], domain->processors[2]);
+}
+
+/* Cuts the box into blocks with the same number of particles. */
+static enum ts_status cut_blocks(struct tsim *sim, struct ts_division *d)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_domain *domain = sim->domain;
+	double(*x)[3] = ts_alloc(p->n, sizeof *x);
+	bool periodic[3];
+	int count[3];
+	enum ts_status status = x ? TS_OK : ts_nomem(&sim->error);
+
 	for (int k = 0; k < 3; k++)
-		length[k] = domain->held_hi[k] - domain->held_lo[k];
-	if (!ts_rank_blocks_choose(sim->world->n, domain->processors, length, sim->dimension, count))
-		return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 0, NULL),
-			       "processors: %d ranks cannot be arranged in a grid of %d x %d x %d (0: any "
-			       "number)",
-			       sim->world->n, domain->processors[0], domain->processors[1],
-			       domain->processors[2]);
-	if (memcmp(count, d->blocks.count, sizeof count) != 0)
-		ts_rank_blocks_release(&d->blocks);
-	memcpy(d->blocks.count, count, sizeof count);
-	return cut_blocks(sim, d, domain->held_lo, domain->held_hi);
+		periodic[k] = ts_box_periodic(&domain->box, k);
+	if (x && p->n)
+		memcpy(x, p->xhold, p->n * sizeof *x);
+	if (status == TS_OK)
+		status = choose_grid(sim, x, p->n, count);
+	if (status == TS_OK &&
+	    !ts_rank_blocks_cut(&d->blocks, count, domain->held_lo, domain->held_hi, periodic))
+		status = ts_nomem(&sim->error);
+	if (status == TS_OK)
+		ts_rank_blocks_balance(&d->blocks, x, p->n);
+	ts_free(x);
+	return status;
+}
+
+/* Whether the present blocks are those of the script's grid and box. */
+static bool blocks_fit(const struct tsim *sim, struct ts_division *d)
+{
+	const struct ts_domain *domain = sim->domain;
+
+	for (int k = 0; k < 3; k++) {
+		int given = domain->processors[k];
+
+		if (!d->blocks.cut[k] || (given && given != d->blocks.count[k]) ||
+		    d->blocks.periodic[k] != ts_box_periodic(&domain->box, k))
+			return false;
+	}
+	ts_rank_blocks_fit(&d->blocks, domain->held_lo, domain->held_hi);
+	return true;
+}
+
+/* owner[i]: the rank of each particle; returns the particles of the rank that has most, counted in n[rank]. */
+static size_t find_owners(const struct tsim *sim, const struct ts_division *d, int32_t *owner, size_t *n)
+{
+	const struct ts_particles *p = sim->particles;
+	size_t most = 0;
+
+	memset(n, 0, (size_t)d->ranks * sizeof *n);
+	for (size_t i = 0; i < p->n; i++) {
+		owner[i] = (int32_t)ts_rank_blocks_owner(&d->blocks, p->xhold[i]);
+		n[owner[i]]++;
+	}
+	for (int r = 0; r < d->ranks; r++)
+		most = n[r] > most ? n[r] : most;
+	return most;
+}
+
+/* All ranks have the same particles, and choose the same blocks. */
+static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, int32_t *owner)
+{
+	size_t *n = ts_alloc((size_t)d->ranks, sizeof *n);
+	enum ts_status status = n ? TS_OK : ts_nomem(&sim->error);
+
+	sim->run.uneven = false;
+	if (status == TS_OK && (!blocks_fit(sim, d) ||
+				(double)find_owners(sim, d, owner, n) > UNEVEN * (double)d->cut_most + FEW)) {
+		status = cut_blocks(sim, d);
+		if (status == TS_OK)
+			d->cut_most = find_owners(sim, d, owner, n);
+	}
+	ts_free(n);
+	return status;
 }
 
 bool ts_division_near(const struct tsim *sim, int dim, double x, double reach)
@@ -290,7 +364,7 @@ enum ts_status ts_division_migrate(struct tsim *sim)
 
 	if (!sim->division)
 		return TS_OK;
-	TS_TRY(cut_blocks(sim, sim->division, sim->domain->box.lo, sim->domain->box.hi));
+	ts_rank_blocks_fit(&sim->division->blocks, sim->domain->box.lo, sim->domain->box.hi);
 	to = ts_alloc(p->n, sizeof *to);
 	gone = ts_alloc(p->n, sizeof *gone);
 	status = to && gone ? TS_OK : ts_nomem(&sim->error);
@@ -300,6 +374,9 @@ enum ts_status ts_division_migrate(struct tsim *sim)
 		status = send_all(sim, to, gone);
 	ts_free(to);
 	ts_free(gone);
+	if (status == TS_OK)
+		sim->run.uneven |= ts_ranks_most(sim, (double)p->n) >
+				   VERY_UNEVEN * (double)sim->division->cut_most + FEW;
 	return status;
 }
 
@@ -337,16 +414,18 @@ static enum ts_status remake_lists(struct ts_plan *plan, struct tsim *sim, struc
 	return status;
 }
 
-static enum ts_status keep_own_particles(struct tsim *sim, const struct ts_division *d)
+static enum ts_status keep_own_particles(struct tsim *sim, struct ts_division *d)
 {
 	const struct ts_particles *p = sim->particles;
 	unsigned char *gone = ts_alloc(p->n, sizeof *gone);
-	enum ts_status status = gone ? TS_OK : ts_nomem(&sim->error);
+	int32_t *owner = ts_alloc(p->n, sizeof *owner);
+	enum ts_status status = gone && owner ? choose_blocks(sim, d, owner) : ts_nomem(&sim->error);
 
-	for (size_t i = 0; gone && i < p->n; i++)
-		gone[i] = ts_rank_blocks_owner(&d->blocks, p->xhold[i]) != sim->world->rank;
-	if (gone)
+	for (size_t i = 0; status == TS_OK && i < p->n; i++)
+		gone[i] = owner[i] != sim->world->rank;
+	if (status == TS_OK)
 		status = ts_particles_delete(sim, gone);
+	ts_free(owner);
 	ts_free(gone);
 	return status;
 }
@@ -388,7 +467,6 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 	d = sim->particles->division;
 	ts_deferred_loops_run(sim);
 	TS_TRY(give_all(sim, d, false));
-	TS_TRY(choose_blocks(sim, d));
 	TS_TRY(keep_own_particles(sim, d));
 	for (size_t k = 0; k < d->ncarried; k++)
 		TS_TRY(keep_local_rows(sim, &d->carried[k]));

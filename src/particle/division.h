@@ -16,6 +16,7 @@ struct ts_plan;
 struct ts_division {
 	int ranks;
 	struct ts_rank_blocks blocks;
+	size_t cut_most; /* particles of the block that had most when the blocks were cut */
 	struct ts_copies copies;
 	struct ts_carried *carried; /* [ncarried], by live style with a carrier */
 	size_t ncarried, carried_capacity;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/alloc.h"
+#include "base/sort.h"
 
 #include "base/banned.h"
 
@@ -29,24 +30,137 @@ bool ts_rank_blocks_choose(int n, const int given[3], const double length[3], in
 	return best < INFINITY;
 }
 
+/* Number of parts that are cut along d. */
+static size_t parts_along(const int count[3], int d)
+{
+	size_t n = 1;
+
+	for (int k = 0; k < d; k++)
+		n *= (size_t)count[k];
+	return n;
+}
+
+/* The faces along d of the part that has block k[0], k[1], k[2]. */
+static double *faces_of(const struct ts_rank_blocks *blocks, int d, const int k[3])
+{
+	size_t part = 0;
+
+	for (int e = d - 1; e >= 0; e--)
+		part = part * (size_t)blocks->count[e] + (size_t)k[e];
+	return blocks->cut[d] + part * ((size_t)blocks->count[d] + 1);
+}
+
 bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const double lo[3],
 			const double hi[3], const bool periodic[3])
 {
+	ts_rank_blocks_release(blocks);
 	for (int d = 0; d < 3; d++) {
-		if (!blocks->cut[d] || blocks->count[d] != count[d]) {
-			ts_free(blocks->cut[d]);
-			blocks->cut[d] = ts_alloc((size_t)count[d] + 1, sizeof *blocks->cut[d]);
-		}
-		if (!blocks->cut[d])
-			return false;
+		size_t parts = parts_along(count, d), n = (size_t)count[d] + 1;
+
 		blocks->count[d] = count[d];
 		blocks->length[d] = hi[d] - lo[d];
 		blocks->periodic[d] = periodic[d];
-		for (int k = 0; k < count[d]; k++)
-			blocks->cut[d][k] = lo[d] + (hi[d] - lo[d]) * k / count[d];
-		blocks->cut[d][count[d]] = hi[d];
+		blocks->cut[d] = ts_alloc(parts * n, sizeof *blocks->cut[d]);
+		if (!blocks->cut[d])
+			return false;
+		for (size_t k = 0; k < parts * n; k++)
+			blocks->cut[d][k] =
+				k % n == n - 1 ? hi[d] : lo[d] + (hi[d] - lo[d]) * (double)(k % n) / count[d];
 	}
 	return true;
+}
+
+void ts_rank_blocks_fit(struct ts_rank_blocks *blocks, const double lo[3], const double hi[3])
+{
+	for (int d = 0; d < 3; d++) {
+		size_t n = (size_t)blocks->count[d] + 1;
+
+		blocks->length[d] = hi[d] - lo[d];
+		for (size_t part = 0; part < parts_along(blocks->count, d); part++) {
+			blocks->cut[d][part * n] = lo[d];
+			blocks->cut[d][part * n + n - 1] = hi[d];
+		}
+	}
+}
+
+/* ---- balance */
+
+static int compare_along(const double *a, const double *b, int d)
+{
+	return (a[d] > b[d]) - (a[d] < b[d]);
+}
+
+static int compare_x(const void *a, const void *b)
+{
+	return compare_along(a, b, 0);
+}
+
+static int compare_y(const void *a, const void *b)
+{
+	return compare_along(a, b, 1);
+}
+
+static int compare_z(const void *a, const void *b)
+{
+	return compare_along(a, b, 2);
+}
+
+void ts_rank_points_sort(double (*x)[3], size_t n, int d)
+{
+	static int (*const compare[])(const void *, const void *) = { compare_x, compare_y, compare_z };
+
+	ts_sort(x, n, sizeof *x, compare[d]);
+}
+
+/* The first point of the upper part, next to point m, if points with the same coordinate, such as a layer of a lattice,
+ * stay together. */
+static size_t between_layers(double (*x)[3], size_t n, size_t m, int d)
+{
+	size_t lower = m, upper = m;
+
+	while (lower > 0 && x[lower - 1][d] == x[m][d])
+		lower--;
+	while (lower < m && upper < n && x[upper][d] == x[m][d])
+		upper++;
+	return upper < n && upper - m < m - lower ? upper : lower;
+}
+
+/* A coordinate above that of point m - 1 and not above that of point m. */
+static double cut_before(double (*x)[3], size_t m, int d)
+{
+	double middle = x[m - 1][d] + (x[m][d] - x[m - 1][d]) / 2;
+
+	return middle > x[m - 1][d] ? middle : x[m][d];
+}
+
+/* Cuts part k[0..d-1] along d, and its blocks along the dimensions that follow. Without points the cuts stay. */
+static void balance_part(struct ts_rank_blocks *blocks, double (*x)[3], size_t n, int d, int k[3])
+{
+	size_t first = 0;
+	double *face;
+
+	if (d == 3 || n == 0)
+		return;
+	ts_rank_points_sort(x, n, d);
+	face = faces_of(blocks, d, k);
+	for (k[d] = 0; k[d] < blocks->count[d]; k[d]++) {
+		size_t last = n;
+
+		if (k[d] < blocks->count[d] - 1) {
+			last = between_layers(x, n, n * ((size_t)k[d] + 1) / (size_t)blocks->count[d], d);
+			last = last > first ? last : first;
+			face[k[d] + 1] = last > 0 ? cut_before(x, last, d) : x[0][d];
+		}
+		balance_part(blocks, x + first, last - first, d + 1, k);
+		first = last;
+	}
+}
+
+void ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n)
+{
+	int k[3] = { 0 };
+
+	balance_part(blocks, x, n, 0, k);
 }
 
 void ts_rank_blocks_release(struct ts_rank_blocks *blocks)
@@ -58,14 +172,14 @@ void ts_rank_blocks_release(struct ts_rank_blocks *blocks)
 
 /* The last block whose lower face is not above x: compared with the same numbers by all ranks, so that a point on a
  * cut belongs to exactly one. */
-static int block_along(const struct ts_rank_blocks *blocks, int d, double x)
+static int block_along(const double *face, int count, double x)
 {
-	int lo = 0, hi = blocks->count[d];
+	int lo = 0, hi = count;
 
 	while (hi - lo > 1) {
 		int middle = lo + (hi - lo) / 2;
 
-		if (x >= blocks->cut[d][middle])
+		if (x >= face[middle])
 			lo = middle;
 		else
 			hi = middle;
@@ -75,20 +189,21 @@ static int block_along(const struct ts_rank_blocks *blocks, int d, double x)
 
 int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3])
 {
-	int k[3];
+	int k[3] = { 0 };
 
 	for (int d = 0; d < 3; d++)
-		k[d] = block_along(blocks, d, x[d]);
+		k[d] = block_along(faces_of(blocks, d, k), blocks->count[d], x[d]);
 	return k[0] + blocks->count[0] * (k[1] + blocks->count[1] * k[2]);
 }
 
 bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach)
 {
 	const int *n = blocks->count;
-	int k = d == 0 ? rank % n[0] : d == 1 ? rank / n[0] % n[1] : rank / n[0] / n[1];
-	bool open[2] = { k == 0 && !blocks->periodic[d], k == n[d] - 1 && !blocks->periodic[d] };
+	const int at[3] = { rank % n[0], rank / n[0] % n[1], rank / n[0] / n[1] };
+	const double *face = faces_of(blocks, d, at) + at[d];
+	bool open[2] = { at[d] == 0 && !blocks->periodic[d], at[d] == n[d] - 1 && !blocks->periodic[d] };
 
-	return (open[0] || x >= blocks->cut[d][k] - reach) && (open[1] || x <= blocks->cut[d][k + 1] + reach);
+	return (open[0] || x >= face[0] - reach) && (open[1] || x <= face[1] + reach);
 }
 
 bool ts_rank_blocks_reach(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach)

@@ -1,4 +1,5 @@
-/* Blocks of space: the box is cut into Px x Py x Pz blocks, one for each rank. */
+/* Blocks of space: the box is cut into Px x Py x Pz blocks, one for each rank: into Px slabs along x, each of these into
+ * Py along y at places of its own, and each of these into Pz along z. */
 #ifndef TS_RANK_BLOCKS_H
 #define TS_RANK_BLOCKS_H
 
@@ -9,7 +10,8 @@ enum { TS_BLOCKS_MOST = 4096 }; /* ranks along one dimension */
 
 struct ts_rank_blocks {
 	int count[3]; /* blocks along each dimension */
-	/* cut[d][k]: lower face of block k, count[d] + 1 of them; the outer ones are those of the box */
+	/* Faces along d, count[d] + 1 of them for each part that is cut along d (0: the box, 1: a slab, 2: a column);
+	 * the outer ones are those of the box. */
 	double *cut[3];
 	double length[3]; /* of the box */
 	bool periodic[3];
@@ -22,6 +24,13 @@ bool ts_rank_blocks_choose(int n, const int given[3], const double length[3], in
 /* Cuts the box into equal blocks; false: out of memory. */
 bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const double lo[3],
 			const double hi[3], const bool periodic[3]);
+/* Moves the inner cuts: each part has, as far as equal coordinates allow, the same number of these points for each of its
+ * blocks. The points are sorted. */
+void ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n);
+/* Sorts points along d. */
+void ts_rank_points_sort(double (*x)[3], size_t n, int d);
+/* The outer faces follow the box. */
+void ts_rank_blocks_fit(struct ts_rank_blocks *blocks, const double lo[3], const double hi[3]);
 void ts_rank_blocks_release(struct ts_rank_blocks *blocks);
 
 /* The block, and so the rank, that has the point. Points outside of the box belong to the nearest block. */

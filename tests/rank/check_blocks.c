@@ -2,6 +2,7 @@
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "math/rng.h"
 #include "rank/blocks.h"
@@ -102,6 +103,81 @@ START_TEST(points_outside_belong_to_the_outer_blocks)
 }
 END_TEST
 
+/* A heap whose height depends on x and y: each block gets the same number of points. */
+START_TEST(balanced_blocks_have_equal_numbers)
+{
+	static const int count[3] = { 3, 2, 4 };
+	static const double lo[3] = { 0, 0, 0 }, hi[3] = { 1, 2, 3 };
+	static const bool periodic[3] = { true, false, false };
+	static double x[POINTS][3], sorted[POINTS][3];
+	struct ts_rank_blocks blocks = { .count = { 0 } };
+	struct ts_rng rng = ts_rng_start(4711, 1);
+	int number[24] = { 0 };
+
+	for (int k = 0; k < POINTS; k++) {
+		x[k][0] = pow(ts_rng_uniform(&rng), 2);
+		x[k][1] = 2 * ts_rng_uniform(&rng) * x[k][0];
+		x[k][2] = 3 * ts_rng_uniform(&rng) * x[k][0] * x[k][1];
+	}
+	memcpy(sorted, x, sizeof x);
+	ck_assert(ts_rank_blocks_cut(&blocks, count, lo, hi, periodic));
+	ts_rank_blocks_balance(&blocks, sorted, POINTS);
+	for (int k = 0; k < POINTS; k++) {
+		int owner = ts_rank_blocks_owner(&blocks, x[k]);
+
+		number[owner]++;
+		for (int r = 0; r < 24; r++) /* the blocks do not overlap */
+			ck_assert(ts_rank_blocks_reach(&blocks, r, x[k], 0) == (r == owner));
+	}
+	for (int r = 0; r < 24; r++)
+		ck_assert_int_le(abs(number[r] - POINTS / 24), 1);
+	ts_rank_blocks_release(&blocks);
+}
+END_TEST
+
+/* Layers are not cut; if all points are in one place, or there are none, all belong to one block. */
+START_TEST(balance_of_equal_coordinates)
+{
+	static const int count[3] = { 3, 2, 1 };
+	static const double lo[3] = { 0, 0, 0 }, hi[3] = { 1, 1, 1 };
+	static const bool periodic[3] = { false, false, false };
+	static const double layers[] = { 0.1, 0.1, 0.1, 0.2, 0.3, 0.3, 0.4, 0.4, 0.4, 0.4 };
+	static const double middle[3] = { 0.5, 0.5, 0.5 };
+	double x[10][3];
+	struct ts_rank_blocks blocks = { .count = { 0 } };
+
+	for (int k = 0; k < 10; k++)
+		x[k][0] = x[k][1] = x[k][2] = layers[k];
+	ck_assert(ts_rank_blocks_cut(&blocks, count, lo, hi, periodic));
+	ts_rank_blocks_balance(&blocks, x, 10);
+	ck_assert_double_eq_tol(blocks.cut[0][1], 0.15, 1e-15);
+	ck_assert_double_eq_tol(blocks.cut[0][2], 0.35, 1e-15);
+	for (int k = 0; k < 10; k++)
+		x[k][0] = x[k][1] = x[k][2] = 0.5;
+	ts_rank_blocks_balance(&blocks, x, 10);
+	ck_assert_int_eq(ts_rank_blocks_owner(&blocks, middle), 5);
+	ts_rank_blocks_balance(&blocks, x, 0);
+	ck_assert_int_eq(ts_rank_blocks_owner(&blocks, middle), 5);
+	ts_rank_blocks_release(&blocks);
+}
+END_TEST
+
+/* The outer faces follow the box, the inner ones stay. */
+START_TEST(blocks_fit_the_box)
+{
+	static const int count[3] = { 2, 1, 1 };
+	static const double lo[3] = { 0, 0, 0 }, hi[3] = { 1, 1, 1 }, more[3] = { 2, 3, 4 };
+	static const bool periodic[3] = { true, true, true };
+	struct ts_rank_blocks blocks = { .count = { 0 } };
+
+	ck_assert(ts_rank_blocks_cut(&blocks, count, lo, hi, periodic));
+	ts_rank_blocks_fit(&blocks, lo, more);
+	ck_assert(blocks.cut[0][1] == 0.5 && blocks.cut[0][2] == 2 && blocks.cut[2][0] == 0 &&
+		  blocks.cut[2][1] == 4 && blocks.length[1] == 3);
+	ts_rank_blocks_release(&blocks);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("rank");
@@ -113,6 +189,9 @@ int main(void)
 	tcase_add_test(tests, points_belong_to_one_block_and_are_near_others);
 	tcase_add_test(tests, points_outside_belong_to_the_outer_blocks);
 	suite_add_tcase(suite, tests);
+	tcase_add_test(tests, balanced_blocks_have_equal_numbers);
+	tcase_add_test(tests, balance_of_equal_coordinates);
+	tcase_add_test(tests, blocks_fit_the_box);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);
