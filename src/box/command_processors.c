@@ -63,7 +63,7 @@ static enum ts_status set_grid(struct tsim *sim, void *state, const struct ts_pl
 static const struct ts_arg args[] = {
 	TS_LIST("processes", struct state, grid,
 		.help = "number of blocks along x, y and z; *: chosen by tsim"),
-	WORDS("grid", "method, with its arguments: no effect, blocks are equal boxes"),
+	WORDS("grid", "method, with its arguments, of no effect: blocks have equal numbers of particles"),
 	WORDS("map", "order of the processes in the grid: no effect, x varies fastest, then y"),
 	WORDS("part",
 	      "partitions whose grids are multiples of each other: no effect, there is one partition"),

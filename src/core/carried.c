@@ -4,6 +4,21 @@
 
 #include "base/banned.h"
 
+bool ts_carried_leaves(const struct ts_leaving *leaving, int32_t tag)
+{
+	size_t lo = 0, hi = leaving->n;
+
+	while (lo < hi) {
+		size_t middle = lo + (hi - lo) / 2;
+
+		if (leaving->tag[middle] < tag)
+			lo = middle + 1;
+		else
+			hi = middle;
+	}
+	return lo < leaving->n && leaving->tag[lo] == tag;
+}
+
 static size_t stride(const struct ts_carried *rows)
 {
 	return sizeof(int32_t) + rows->bytes;

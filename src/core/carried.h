@@ -17,12 +17,20 @@ struct ts_carried {
 	struct ts_parcel rows;
 };
 
+/* Identities, in ascending order, of the particles that go to other ranks. */
+struct ts_leaving {
+	int32_t *tag;
+	size_t n;
+};
+
+bool ts_carried_leaves(const struct ts_leaving *leaving, int32_t tag);
+
 struct ts_carrier {
-	/* Appends all rows and removes them from the state. `results`: with the forces of the last step, for
-	 * outputs. */
+	/* Appends all rows and removes them from the state; with `leaving` only those of these particles, and the
+	 * state may keep all. `results`: with the forces of the last step, for outputs. */
 	enum ts_status (*give)(struct ts_instance *self, struct tsim *sim, bool results,
-			       struct ts_carried *out);
-	/* Takes the rows of the local particles. */
+			       const struct ts_leaving *leaving, struct ts_carried *out);
+	/* Takes the rows of the local particles, in addition to those that it has. */
 	enum ts_status (*take)(struct ts_instance *self, struct tsim *sim, const struct ts_carried *rows);
 };
 

@@ -42,7 +42,23 @@ static void forget_pairs(struct ts_contact_list *list)
 	list->results = TS_RESULTS_NONE;
 }
 
-static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool results, struct ts_carried *out)
+/* The rows of contact k. */
+static enum ts_status add_rows(const struct ts_contact_history *h, size_t k, bool results,
+			       const struct ts_leaving *leaving, struct ts_carried *out)
+{
+	const struct ts_contact_key *key = &h->key[k];
+	const int32_t holder = holder_of(key), other = key->tag[1];
+	/* with `results` all ranks get all rows: one is enough */
+	bool both = !results && !(key->winding & TS_HISTORY_OTHER_SIDE);
+
+	if (!leaving || ts_carried_leaves(leaving, holder))
+		TS_TRY(add_row(h, k, holder, results, out));
+	return both && (!leaving || ts_carried_leaves(leaving, other)) ? add_row(h, k, other, results, out)
+								       : TS_OK;
+}
+
+static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool results,
+			   const struct ts_leaving *leaving, struct ts_carried *out)
 {
 	struct ts_neigh *nb = self->state;
 	struct ts_contact_history h = { 0 };
@@ -50,18 +66,14 @@ static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool resu
 
 	out->bytes = sizeof *h.key + nb->contacts.history_width * sizeof *h.value +
 		     (results ? sizeof *h.force : 0);
-	if (!nb->wanted)
+	if (!nb->wanted || (leaving && !leaving->n))
 		return TS_OK;
 	TS_TRY(ts_contact_history_save(sim, &nb->contacts, results, &h));
-	for (size_t k = 0; k < h.n && status == TS_OK; k++) {
-		const struct ts_contact_key *key = &h.key[k];
-
-		status = add_row(&h, k, holder_of(key), results, out);
-		if (status == TS_OK && !(key->winding & TS_HISTORY_OTHER_SIDE))
-			status = add_row(&h, k, key->tag[1], results, out);
-	}
+	for (size_t k = 0; k < h.n && status == TS_OK; k++)
+		status = add_rows(&h, k, results, leaving, out);
 	ts_contact_history_release(&h);
-	forget_pairs(&nb->contacts);
+	if (!leaving)
+		forget_pairs(&nb->contacts);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 

@@ -162,6 +162,31 @@ enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_l
 	return save_contacts(sim, list, forces, true, h);
 }
 
+static void copy_contacts(struct ts_contact_history *to, const struct ts_contact_history *from)
+{
+	if (from->n)
+		memcpy(to->key + to->n, from->key, from->n * sizeof *from->key);
+	if (from->n && to->width)
+		memcpy(to->value + to->n * to->width, from->value, from->n * to->width * sizeof *from->value);
+	to->n += from->n;
+}
+
+enum ts_status ts_contact_history_append(struct tsim *sim, struct ts_contact_history *h,
+					 struct ts_contact_history *more)
+{
+	struct ts_contact_history both = { .width = h->width, .overlapping = h->overlapping };
+
+	if (more->n && more->width == h->width) {
+		TS_TRY(allocate_history(sim, &both, h->n + more->n, false));
+		copy_contacts(&both, h);
+		copy_contacts(&both, more);
+		ts_contact_history_release(h);
+		*h = both;
+	}
+	ts_contact_history_release(more);
+	return TS_OK;
+}
+
 static bool overlaps(const struct ts_particles *p, const struct ts_contact_list *list, size_t r)
 {
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];

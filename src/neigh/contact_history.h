@@ -32,6 +32,9 @@ enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_l
 /* Copies the history, and the forces if saved, to the pairs of the same particles in the list. */
 enum ts_status ts_contact_history_restore(struct tsim *sim, const struct ts_contact_history *h,
 					  struct ts_contact_list *list);
+/* Moves the contacts of `more`, saved without forces, into h. */
+enum ts_status ts_contact_history_append(struct tsim *sim, struct ts_contact_history *h,
+					 struct ts_contact_history *more);
 void ts_contact_history_release(struct ts_contact_history *h);
 /* Writes to or reads from a restart file. */
 enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsim *sim,

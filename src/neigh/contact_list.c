@@ -8,6 +8,7 @@
 #include "neigh/contact_history.h"
 #include "neigh/contact_search.h"
 #include "neigh/force_slots.h"
+#include "neigh/neigh.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -197,6 +198,8 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 		TS_TRY(ts_contact_history_save_all(sim, list, sim->run.resuming, old));
 	else
 		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));
+	if (sim->division && !sim->run.resuming && list == &sim->neigh->contacts)
+		TS_TRY(ts_contact_history_append(sim, old, &sim->neigh->saved)); /* from other ranks */
 	ts_force_slots_forget(list);
 	forget_active_pairs(list);
 	TS_TRY(ts_contact_search(sim, found));

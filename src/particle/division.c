@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "box/domain.h"
 #include "core/plan.h"
 #include "core/ranks.h"
@@ -173,7 +174,8 @@ static struct ts_instance *next_carrier(const struct tsim *sim, int *kind, size_
 	return NULL;
 }
 
-static enum ts_status give_all(struct tsim *sim, struct ts_division *d, bool results)
+static enum ts_status give_all(struct tsim *sim, struct ts_division *d, bool results,
+			       const struct ts_leaving *leaving)
 {
 	struct ts_instance *inst;
 	int kind = 0;
@@ -184,7 +186,7 @@ static enum ts_status give_all(struct tsim *sim, struct ts_division *d, bool res
 		if (TS_GROW(d->carried, d->carried_capacity, d->ncarried + 1) != TS_OK)
 			return ts_nomem(&sim->error);
 		d->carried[d->ncarried] = (struct ts_carried){ 0 };
-		TS_TRY(inst->style->carrier->give(inst, sim, results, &d->carried[d->ncarried++]));
+		TS_TRY(inst->style->carrier->give(inst, sim, results, leaving, &d->carried[d->ncarried++]));
 	}
 	return TS_OK;
 }
@@ -286,15 +288,26 @@ static enum ts_status send_rows_home(struct tsim *sim, struct ts_carried *rows,
 	return status;
 }
 
+/* Without periodic faces a contact has the same history on both ranks, so that rows of particles that stay where they are
+ * need not be given. */
+static bool some_face_is_periodic(const struct tsim *sim)
+{
+	bool is = false;
+
+	for (int k = 0; k < 3; k++)
+		is |= ts_box_periodic(&sim->domain->box, k);
+	return is;
+}
+
 enum ts_status ts_division_let_go(struct tsim *sim)
 {
 	struct ts_division *d = sim->division;
 	struct ts_copy_map copy;
 	enum ts_status status;
 
-	if (!d)
+	if (!d || !some_face_is_periodic(sim))
 		return TS_OK;
-	TS_TRY(give_all(sim, d, false));
+	TS_TRY(give_all(sim, d, false, NULL));
 	status = ts_copy_map_make(sim, &copy) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	for (size_t k = 0; k < d->ncarried && status == TS_OK; k++)
 		status = send_rows_home(sim, &d->carried[k], &copy);
@@ -355,9 +368,54 @@ static enum ts_status send_all(struct tsim *sim, const int32_t *to, unsigned cha
 	return take_all(sim, d);
 }
 
+static int compare_tags(const void *a, const void *b)
+{
+	const int32_t *x = a, *y = b;
+
+	return (*x > *y) - (*x < *y);
+}
+
+/* to[i]: the rank of the particle's position. */
+static enum ts_status find_leaving(struct tsim *sim, int32_t *to, struct ts_leaving *leaving)
+{
+	const struct ts_particles *p = sim->particles;
+	size_t capacity = 0;
+
+	for (size_t i = 0; i < p->n; i++) {
+		to[i] = (int32_t)ts_rank_blocks_owner(&sim->division->blocks, p->x[i]);
+		if (to[i] == sim->world->rank)
+			continue;
+		if (TS_GROW(leaving->tag, capacity, leaving->n + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		leaving->tag[leaving->n++] = p->tag[i];
+	}
+	ts_sort(leaving->tag, leaving->n, sizeof *leaving->tag, compare_tags);
+	return TS_OK;
+}
+
+static enum ts_status send_leaving(struct tsim *sim, int32_t *to, unsigned char *gone,
+				   struct ts_leaving *leaving)
+{
+	struct ts_division *d = sim->division;
+	bool whole = some_face_is_periodic(sim); /* ts_division_let_go has given all rows */
+	double most[2];
+
+	TS_TRY(find_leaving(sim, to, leaving));
+	most[0] = (double)leaving->n;
+	most[1] = (double)sim->particles->n;
+	ts_world_most(sim->world, most, 2);
+	sim->run.uneven |= most[1] > VERY_UNEVEN * (double)d->cut_most + FEW;
+	if (!whole && !(most[0] > 0))
+		return TS_OK;
+	if (!whole)
+		TS_TRY(give_all(sim, d, false, leaving));
+	return send_all(sim, to, gone);
+}
+
 enum ts_status ts_division_migrate(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
+	struct ts_leaving leaving = { 0 };
 	int32_t *to;
 	unsigned char *gone;
 	enum ts_status status;
@@ -367,16 +425,10 @@ enum ts_status ts_division_migrate(struct tsim *sim)
 	ts_rank_blocks_fit(&sim->division->blocks, sim->domain->box.lo, sim->domain->box.hi);
 	to = ts_alloc(p->n, sizeof *to);
 	gone = ts_alloc(p->n, sizeof *gone);
-	status = to && gone ? TS_OK : ts_nomem(&sim->error);
-	for (size_t i = 0; status == TS_OK && i < p->n; i++)
-		to[i] = (int32_t)ts_rank_blocks_owner(&sim->division->blocks, p->x[i]);
-	if (status == TS_OK)
-		status = send_all(sim, to, gone);
+	status = to && gone ? send_leaving(sim, to, gone, &leaving) : ts_nomem(&sim->error);
+	ts_free(leaving.tag);
 	ts_free(to);
 	ts_free(gone);
-	if (status == TS_OK)
-		sim->run.uneven |= ts_ranks_most(sim, (double)p->n) >
-				   VERY_UNEVEN * (double)sim->division->cut_most + FEW;
 	return status;
 }
 
@@ -466,14 +518,10 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 		TS_TRY(make_division(sim));
 	d = sim->particles->division;
 	ts_deferred_loops_run(sim);
-	TS_TRY(give_all(sim, d, false));
 	TS_TRY(keep_own_particles(sim, d));
-	for (size_t k = 0; k < d->ncarried; k++)
-		TS_TRY(keep_local_rows(sim, &d->carried[k]));
 	listen(sim, d);
 	sim->division = d;
-	TS_TRY(take_all(sim, d));
-	return remake_lists(plan, sim, d);
+	return remake_lists(plan, sim, d); /* these continue the contacts of the old lists */
 }
 
 static enum ts_status share_particles(struct tsim *sim, struct ts_division *d)
@@ -535,7 +583,7 @@ enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim)
 
 	ts_deferred_loops_run(sim);
 	TS_TRY(join_sums(sim));
-	TS_TRY(give_all(sim, d, true));
+	TS_TRY(give_all(sim, d, true, NULL));
 	for (size_t k = 0; k < d->ncarried; k++)
 		TS_TRY(keep_local_rows(sim, &d->carried[k]));
 	TS_TRY(share_particles(sim, d));

@@ -513,11 +513,11 @@ enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struc
 }
 
 static enum ts_status give_contacts(struct ts_instance *self, struct tsim *sim, bool results,
-				    struct ts_carried *out)
+				    const struct ts_leaving *leaving, struct ts_carried *out)
 {
 	(void)results;
 	ts_wall_force(self->state);
-	return ts_wall_contacts_give(sim, &((struct ts_wall *)self->state)->contacts, out);
+	return ts_wall_contacts_give(sim, &((struct ts_wall *)self->state)->contacts, leaving, out);
 }
 
 static enum ts_status take_contacts(struct ts_instance *self, struct tsim *sim, const struct ts_carried *rows)

@@ -156,7 +156,8 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 	ts_parallel(ts_team(sim, 64 * c->n), c->n, share_whole_particles, &split);
 }
 
-enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *c, struct ts_carried *out)
+enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *c,
+				     const struct ts_leaving *leaving, struct ts_carried *out)
 {
 	size_t memory = c->width * sizeof *c->memory;
 
@@ -164,7 +165,7 @@ enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *
 	for (size_t k = 0; k < c->n; k++) {
 		unsigned char *row;
 
-		if (!has_history(c, k))
+		if (!has_history(c, k) || (leaving && !ts_carried_leaves(leaving, c->key[k][0])))
 			continue;
 		row = ts_carried_add(out, c->key[k][0]);
 		if (!row)
@@ -177,7 +178,8 @@ enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *
 		if (c->report)
 			memcpy(row + sizeof *c->last, &c->report[k], sizeof *c->report);
 	}
-	c->n = 0;
+	if (!leaving)
+		c->n = 0;
 	return TS_OK;
 }
 
@@ -187,19 +189,20 @@ enum ts_status ts_wall_contacts_take(struct tsim *sim, struct ts_wall_contacts *
 {
 	size_t n = ts_carried_count(rows), memory = c->width * sizeof *c->memory;
 
-	c->n = 0;
 	for (size_t k = 0; k < n; k++) {
 		int32_t tag;
 		const unsigned char *row = ts_carried_row(rows, k, &tag);
 
+		size_t at = c->n;
+
 		TS_TRY(ts_wall_contacts_add(sim, c, 0, 0));
-		memcpy(c->key[k], row, sizeof *c->key);
+		memcpy(c->key[at], row, sizeof *c->key);
 		row += sizeof *c->key;
-		memcpy(ts_wall_memory(c, k), row, memory);
+		memcpy(ts_wall_memory(c, at), row, memory);
 		row += memory;
-		memcpy(&c->last[k], row, sizeof *c->last);
+		memcpy(&c->last[at], row, sizeof *c->last);
 		if (c->report)
-			memcpy(&c->report[k], row + sizeof *c->last, sizeof *c->report);
+			memcpy(&c->report[at], row + sizeof *c->last, sizeof *c->report);
 	}
 	return TS_OK;
 }

@@ -106,7 +106,8 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
 					struct ts_wall_contacts *c);
 /* For the carrier of a wall: core/carried.h. */
-enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *c, struct ts_carried *out);
+enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *c,
+				     const struct ts_leaving *leaving, struct ts_carried *out);
 enum ts_status ts_wall_contacts_take(struct tsim *sim, struct ts_wall_contacts *c,
 				     const struct ts_carried *rows);
 void ts_wall_contacts_release(struct ts_wall_contacts *c);

@@ -19,7 +19,7 @@ ranks() {
 	timeout 300 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 
-for scene in bed gas outlet pushed; do
+for scene in bed gas outlet pushed burst; do
 	"$TSIM" -in "$scenes/in.$scene" -log log.1 -screen none -var out one >out 2>&1
 	report "$scene runs alone" $? out
 	rows log.1 >rows.1
@@ -38,6 +38,15 @@ for scene in bed gas outlet pushed; do
 	done
 	rm -f one.pairs one.rdf
 done
+# The cloud of in.burst has left the block of one rank, and was divided again: more than the outputs need.
+awk '/all gathered/ { n = $(NF - 1) } END { exit !(n > 24) }' log.2
+report 'uneven blocks are cut again' $? log.2
+# Of the particles of a bed in the lower part of its box each rank has about half.
+grep -v '^run' "$scenes/in.bed" >in.even
+printf 'region high block INF INF INF INF 0.02 INF units box\ngroup high region high\ndelete_atoms group high\nrun 10\n' >>in.even
+ranks 2 -in in.even -log log.even -screen none -var out even
+awk '/^Ranks:/ { least = $(NF - 4); most = $(NF - 2) } END { exit !(least > 0.8 * most) }' log.even
+report 'ranks have the same number of particles' $? log.even
 OMP_NUM_THREADS=2 ranks 2 -in "$scenes/in.bed" -log log.2 -screen none -var out many
 rows log.2 >rows.2
 rows log.1 >/dev/null
