@@ -219,7 +219,7 @@ static double count_contacts(const struct tsim *sim)
 	double n = 0;
 
 	for (size_t r = 0; r < rows->n; r++)
-		n += rows->touching[r] != 0;
+		n += ts_contact_touches(rows, r);
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
 		for (size_t m = 0; m < w->contacts.n; m++)
 			n += w->contacts.touching[m] != 0;

@@ -153,7 +153,7 @@ static void add_pairs(struct ts_instance *self, const struct state *s, struct su
 	struct ts_contact_view view;
 
 	for (size_t r = 0; s->pair && r < sim->neigh->contacts.n; r++) {
-		if (!sim->neigh->contacts.touching[r] || !ts_contact_counts(sim, r, self->group))
+		if (!ts_contact_touches(&sim->neigh->contacts, r) || !ts_contact_counts(sim, r, self->group))
 			continue;
 		ts_contact_view(sim, r, &view);
 		add_branch(s, sums, sim->particles->x[view.a], view.d, view.force);

@@ -24,7 +24,8 @@ static bool is_counted(const struct ts_instance *self, const struct ts_particles
 {
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 
-	if (!list->touching[r] || !ts_in_group(p, i, self->group) || !ts_in_group(p, j, self->group))
+	if (!ts_contact_touches(list, r) || !ts_in_group(p, i, self->group) ||
+	    !ts_in_group(p, j, self->group))
 		return false;
 	if (j < p->n || p->tag[i] < p->tag[j])
 		return true;
@@ -56,7 +57,7 @@ static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
 	for (size_t r = 0; r < list->n; r++) {
-		if (!list->touching[r])
+		if (!ts_contact_touches(list, r))
 			continue;
 		if (ts_in_group(p, (size_t)list->i[r], self->group))
 			out->data[list->i[r]] += 1;

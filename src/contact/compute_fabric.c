@@ -102,7 +102,7 @@ static bool is_counted(const struct ts_instance *self, const struct tsim *sim, s
 	const struct ts_particles *p = sim->particles;
 	size_t width = (size_t)p->ntypes + 1;
 
-	if (!list->touching[r] || !ts_contact_counts(sim, r, self->group))
+	if (!ts_contact_touches(list, r) || !ts_contact_counts(sim, r, self->group))
 		return false;
 	return !s->between || s->between[(size_t)p->type[list->i[r]] * width + (size_t)p->type[list->j[r]]];
 }

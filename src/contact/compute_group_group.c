@@ -53,7 +53,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (int k = 0; k < 3; k++)
 		sum[k] = ts_exactsum_start();
 	for (size_t r = 0; s->pair && r < list->n; r++) {
-		if (!list->touching[r] ||
+		if (!ts_contact_touches(list, r) ||
 		    !concerns(self, sim->particles, (size_t)list->i[r], (size_t)list->j[r]) ||
 		    !ts_contact_counts(sim, r, 0))
 			continue;

@@ -27,7 +27,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static bool is_listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
-	return sim->neigh->contacts.touching[r] && ts_contact_counts(sim, r, self->group);
+	return ts_contact_touches(&sim->neigh->contacts, r) && ts_contact_counts(sim, r, self->group);
 }
 
 /* The tangential force exerts a torque of the same direction on both particles, each with its own lever arm.

@@ -25,7 +25,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static bool is_listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
-	return sim->neigh->contacts.touching[r] && ts_contact_counts(sim, r, self->group);
+	return ts_contact_touches(&sim->neigh->contacts, r) && ts_contact_counts(sim, r, self->group);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)

@@ -77,7 +77,7 @@ static bool is_listed(const struct ts_instance *self, const struct tsim *sim, en
 	if (list == BONDS)
 		return ts_in_group(p, (size_t)sim->bonds->row[r][0], self->group) &&
 		       ts_in_group(p, (size_t)sim->bonds->row[r][1], self->group);
-	return (list == NEIGHBOURS || sim->neigh->contacts.touching[r]) &&
+	return (list == NEIGHBOURS || ts_contact_touches(&sim->neigh->contacts, r)) &&
 	       ts_contact_counts(sim, r, self->group);
 }
 

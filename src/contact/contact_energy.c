@@ -31,7 +31,7 @@ static double energy_of_contacts(const struct tsim *sim, size_t i)
 	double sum = 0;
 
 	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++)
-		if (list->touching[g->entry[k] >> 1])
+		if (ts_contact_touches(list, g->entry[k] >> 1))
 			sum += energy_of_pair(sim, inst->state, g->entry[k] >> 1);
 	return sum;
 }

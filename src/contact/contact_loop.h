@@ -35,7 +35,7 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_ac
 		*ts_contact_memory(block, block->touching, c) =
 			*ts_contact_history(list, block, block->touching, c);
 	block->touching++;
-	list->touching[pair.row] = 1;
+	ts_contact_set_touching(list, pair.row, true);
 	ts_touching_sums_expire(list, &pair);
 }
 
@@ -58,7 +58,7 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 	}
 	active[at] = active[block->touching];
 	active[block->touching] = pair;
-	list->touching[pair.row] = 0;
+	ts_contact_set_touching(list, pair.row, false);
 	ts_touching_sums_expire(list, &pair);
 }
 

@@ -192,7 +192,7 @@ static enum ts_status collect_broken(struct transfer_list *transfers, struct tsi
 		both = other == list->n || !has_broken(list, pair, other);
 		if (book_transfers(transfers, p, list, pair, r, both) != TS_OK)
 			return TS_NOMEM;
-		if (other == list->n || !both || !list->touching[other])
+		if (other == list->n || !both || !ts_contact_touches(list, other))
 			continue;
 		ts_contacts_store_history(sim, list);
 		*bridge_state(list, pair, other) = 0;

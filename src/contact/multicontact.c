@@ -33,7 +33,8 @@ enum ts_status ts_multicontact_prepare(struct ts_multicontact *m, struct tsim *s
 static bool carries_load(const struct ts_pair *pair, const struct ts_contact_list *list,
 			 const struct ts_particles *p, size_t r)
 {
-	return list->touching[r] && ts_pair_model(pair, p->type[list->i[r]], p->type[list->j[r]])->multi;
+	return ts_contact_touches(list, r) &&
+	       ts_pair_model(pair, p->type[list->i[r]], p->type[list->j[r]])->multi;
 }
 
 /* Contact point of pair r relative to the centre of its particle `side`, normal e into this particle, gap of

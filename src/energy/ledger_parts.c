@@ -180,7 +180,7 @@ enum ts_status ts_ledger_account_pairs(struct tsim *sim, struct ts_ledger *l)
 	memset(l->row_energy, 0, rows->n * sizeof *l->row_energy);
 	for (size_t i = 0; pair && rows->n && i < sim->particles->n; i++)
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
-			if (rows->touching[g->entry[k] >> 1])
+			if (ts_contact_touches(rows, g->entry[k] >> 1))
 				account_pair(&w, g->entry[k] >> 1, (int)(g->entry[k] & 1), i);
 	sums_finish(&w.sums, l, TS_LEDGER_PAIR, true);
 	return TS_OK;

@@ -127,8 +127,8 @@ static size_t collect_active(const struct choice *c, size_t *r, size_t end, uint
 		       reach = a[3] + b[3] + list->inner_skin;
 
 		chosen[n] = (uint32_t)k;
-		list->slot_of[k] = TS_PAIR_INACTIVE;
-		n += (x * x + y * y + z * z < reach * reach) | list->touching[k];
+		ts_contact_set_slot(list, k, TS_PAIR_INACTIVE);
+		n += (x * x + y * y + z * z < reach * reach) | ts_contact_touches(list, k);
 	}
 	*r = k;
 	return n;
@@ -161,7 +161,7 @@ static size_t touching_first(const struct ts_contact_list *list, uint32_t *chose
 		uint32_t r = chosen[k];
 
 		chosen[touching] = apart[k - touching] = r;
-		touching += list->touching[r];
+		touching += ts_contact_touches(list, r);
 	}
 	memcpy(chosen + touching, apart, (n - touching) * sizeof *chosen);
 	return touching;
@@ -173,7 +173,7 @@ static void append_pairs(struct ts_contact_list *list, struct ts_contact_span *s
 	for (size_t k = 0; k < n; k++) {
 		uint32_t r = chosen[k];
 
-		list->slot_of[r] = (uint32_t)span->active_end;
+		ts_contact_set_slot(list, r, (uint32_t)span->active_end);
 		list->active[span->active_end++] = (struct ts_active_pair){ r, r, list->i[r], list->j[r] };
 	}
 }
@@ -251,9 +251,6 @@ static enum ts_status reserve_lists(const struct choice *c)
 			  TS_BLOCKS_AHEAD;
 	}
 	TS_TRY(TS_RENEW_UNSET(list->active, list->active_capacity, list->n));
-	TS_TRY(TS_RENEW_UNSET(list->slot_of, list->slot_of_capacity,
-			      list->n +
-				      1)); /* never NULL: pointers into it are computed even if it is empty */
 	return TS_RENEW_UNSET(list->block, list->block_capacity, blocks);
 }
 

@@ -55,7 +55,7 @@ static void copy_force(double to[3], const double from[3], bool swapped)
 
 static bool is_saved(const struct ts_contact_list *list, size_t r, bool memories)
 {
-	bool is = list->touching[r];
+	bool is = ts_contact_touches(list, r);
 
 	for (size_t c = 0; memories && !is && c < list->history_width; c++)
 		is = list->history[r * list->history_width + c] != 0;
@@ -329,7 +329,7 @@ static void restore_share(void *context, size_t from, size_t to)
 		k = find_either(g, &key, local_of(g, swapped ? list->j[r] : list->i[r]));
 		if (!k || (h->overlapping && !overlaps(p, list, r) && !had_bridge(list, h, (size_t)(k - 1))))
 			continue;
-		list->touching[r] = 1;
+		ts_contact_set_touching(list, r, true);
 		if (h->width)
 			copy_signed(list->history + r * h->width, h->value + (size_t)(k - 1) * h->width,
 				    h->width, list->history_sign, swapped);

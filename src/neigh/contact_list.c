@@ -78,7 +78,7 @@ static enum ts_status reserve_pairs(struct ts_contact_list *list, size_t n)
 	} while (0)
 	RENEW_COLUMN(i);
 	RENEW_COLUMN(j);
-	RENEW_COLUMN(touching);
+	RENEW_COLUMN(slot);
 #undef RENEW_COLUMN
 	if (list->history_width)
 		TS_TRY(TS_RENEW_UNSET(list->history, wide, capacity * width));
@@ -93,7 +93,8 @@ static void clear_pairs(struct ts_contact_list *list, size_t from, size_t n)
 
 	if (!n)
 		return;
-	memset(list->touching + from, 0, n);
+	for (size_t r = from; r < from + n; r++)
+		list->slot[r] = (uint32_t)TS_PAIR_INACTIVE << 1;
 	if (width)
 		memset(list->history + from * width, 0, n * width * sizeof *list->history);
 }
@@ -282,7 +283,7 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 	const struct {
 		size_t n, size;
 	} part[] = {
-		{ list->capacity, sizeof *list->i + sizeof *list->j + sizeof *list->touching },
+		{ list->capacity, sizeof *list->i + sizeof *list->j + sizeof *list->slot },
 		{ list->tag_capacity, sizeof *list->tag },
 		{ list->turns_capacity, sizeof *list->turns },
 		{ list->image_capacity, sizeof *list->image },
@@ -293,7 +294,6 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 		{ list->gather.entry_capacity, sizeof *list->gather.entry },
 		{ list->active_capacity, sizeof *list->active },
 		{ list->block_capacity, sizeof *list->block },
-		{ list->slot_of_capacity, sizeof *list->slot_of },
 		{ list->sums_left_capacity, sizeof *list->sums_left },
 		{ list->sum_capacity, sizeof *list->sum },
 		{ list->sum_rest_capacity, sizeof *list->sum_rest },
@@ -316,7 +316,7 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->turns);
 	ts_free(list->image);
 	ts_free(list->result);
-	ts_free(list->touching);
+	ts_free(list->slot);
 	ts_free(list->history);
 	ts_free(list->memory);
 	ts_free(list->spare);
@@ -325,7 +325,6 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->span);
 	ts_free(list->active);
 	ts_free(list->block);
-	ts_free(list->slot_of);
 	ts_free(list->sums_left);
 	ts_free(list->sum);
 	ts_free(list->sums);

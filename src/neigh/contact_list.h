@@ -80,9 +80,9 @@ struct ts_contact_list {
 	bool both_frozen;
 	size_t particles; /* number of local particles when the list was built */
 	/* By pair, n numbers each: */
-	int32_t *i, *j;	   /* indices of the particle columns; i local, j local or ghost */
-	uint8_t *touching; /* 1: the surfaces overlap, or a liquid bridge joins them */
-	double *history;   /* history_width numbers each; zero where the pair has never touched */
+	int32_t *i, *j;	 /* indices of the particle columns; i local, j local or ghost */
+	uint32_t *slot;	 /* 2 slot + 1 if the pair touches: ts_contact_touches, ts_contact_slot */
+	double *history; /* history_width numbers each; zero where the pair has never touched */
 
 	/* By particle, ghosts included, as they were when the list was built: see ts_contact_tag and the functions
 	 * after it. `image`: of ghosts only. */
@@ -128,11 +128,8 @@ struct ts_contact_list {
 	struct ts_active_pair *active;
 	struct ts_active_block *block;
 	const struct ts_contact_bulge *bulge; /* by pair; NULL: no surface is displaced */
-	/* by pair: the slot of an active pair, or TS_PAIR_INACTIVE; while slots are assigned: index in `active` */
-	uint32_t *slot_of;
 	uint8_t *sums_left; /* by active pair: how many of its two particles have not summed it yet */
-	size_t span_capacity, active_capacity, block_capacity, memory_capacity, slot_of_capacity,
-		sums_left_capacity;
+	size_t span_capacity, active_capacity, block_capacity, memory_capacity, sums_left_capacity;
 
 	/* The slots that particle i sums, see touching_sums.h: sums[i] of them, as 2 slot + side like the entries of
 	 * the gather lists, but of touching pairs only. The first ones are in the row sum[TS_SUM_ROW i] .., which
@@ -188,6 +185,32 @@ static inline uint8_t ts_contact_image(const struct ts_contact_list *list, size_
 static inline int32_t ts_contact_winding(const struct ts_contact_list *list, size_t r)
 {
 	return ts_winding_difference(list->turns[list->i[r]], list->turns[list->j[r]]);
+}
+
+/* The slot of a pair that is not active. */
+enum { TS_PAIR_INACTIVE = INT32_MAX };
+
+/* The slot of an active pair, or TS_PAIR_INACTIVE; while slots are assigned: its index in `active`. It stands in one
+ * number with the touch, as the sums of a particle look both up for pairs that are scattered in memory. */
+static inline uint32_t ts_contact_slot(const struct ts_contact_list *list, size_t r)
+{
+	return list->slot[r] >> 1;
+}
+
+static inline void ts_contact_set_slot(const struct ts_contact_list *list, size_t r, uint32_t slot)
+{
+	list->slot[r] = slot << 1 | (list->slot[r] & 1);
+}
+
+/* Whether the surfaces of pair r overlap, or a liquid bridge joins them. */
+static inline bool ts_contact_touches(const struct ts_contact_list *list, size_t r)
+{
+	return list->slot[r] & 1;
+}
+
+static inline void ts_contact_set_touching(const struct ts_contact_list *list, size_t r, bool touches)
+{
+	list->slot[r] = (list->slot[r] & ~(uint32_t)1) | touches;
 }
 
 /* Builds the list of all pairs of particles whose distance at the last rebuild (xhold) is less than r_i + r_j

@@ -23,7 +23,7 @@ static struct ts_contact_chunk chunk_of_particles(const struct ts_contact_list *
 	struct ts_contact_chunk c = { SIZE_MAX, 0 };
 
 	for (size_t k = g->first[from]; k < g->first[to]; k++) {
-		uint32_t at = list->slot_of[g->entry[k] >> 1];
+		uint32_t at = ts_contact_slot(list, g->entry[k] >> 1);
 
 		if (at == TS_PAIR_INACTIVE)
 			continue;
@@ -66,7 +66,7 @@ static size_t release_slots(const struct ts_contact_list *list, size_t c, uint32
 	size_t end = g->first[particles_end(list, c)];
 
 	for (size_t k = g->first[c * TS_CONTACT_CHUNK]; k < end; k++) {
-		uint32_t at = list->slot_of[g->entry[k] >> 1];
+		uint32_t at = ts_contact_slot(list, g->entry[k] >> 1);
 
 		if (at != TS_PAIR_INACTIVE && !--list->sums_left[at])
 			free[n++] = list->active[at].slot;
@@ -140,7 +140,7 @@ static void write_slots_share(void *context, size_t from, size_t to)
 
 	for (size_t k = from; k < to; k++)
 		for (size_t at = list->span[k].active; at < list->span[k].active_end; at++)
-			list->slot_of[list->active[at].row] = list->active[at].slot;
+			ts_contact_set_slot(list, list->active[at].row, list->active[at].slot);
 }
 
 /* ---- preparation of a force evaluation */

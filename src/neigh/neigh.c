@@ -35,7 +35,7 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 		bool is_i = ts_contact_tag(list, r, 0) == p->tag[i],
 		     is_j = ts_contact_tag(list, r, 1) == p->tag[i];
 
-		if (!list->touching[r] || !(is_i || is_j))
+		if (!ts_contact_touches(list, r) || !(is_i || is_j))
 			continue;
 		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "",
 			    ts_contact_tag(list, r, is_i ? 1 : 0));

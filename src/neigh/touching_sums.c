@@ -51,16 +51,16 @@ static void list_slots(const struct ts_contact_list *list, size_t i)
 	for (int c = 0; c < TS_SUM_ROW; c++)
 		sum[c] = zero;
 	for (; k < end && n < TS_SUM_ROW; k++) {
-		uint32_t entry = g->entry[k], r = entry >> 1;
+		uint32_t entry = g->entry[k], slot = list->slot[entry >> 1], touches = slot & 1;
 
-		sum[n] = list->touching[r] ? 2 * list->slot_of[r] | (entry & 1) : zero;
-		n += list->touching[r];
+		sum[n] = touches ? (slot - 1) | (entry & 1) : zero;
+		n += touches;
 	}
 	for (; k < end; k++) {
-		uint32_t entry = g->entry[k], r = entry >> 1;
+		uint32_t entry = g->entry[k], slot = list->slot[entry >> 1], touches = slot & 1;
 
-		rest[n - TS_SUM_ROW] = 2 * list->slot_of[r] | (entry & 1);
-		n += list->touching[r];
+		rest[n - TS_SUM_ROW] = (slot & ~(uint32_t)1) | (entry & 1);
+		n += touches;
 	}
 	list->sums[i] = n;
 }

@@ -55,15 +55,15 @@ static void add_chunk(const struct watch *w, size_t c)
 		size_t n = 0;
 
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
-			size_t r = g->entry[k] >> 1, slot = rows->slot_of[r];
+			size_t r = g->entry[k] >> 1, slot = ts_contact_slot(rows, r);
 
 			if (!w->waiting[r]) { /* far */
-				deck_assert(!rows->touching[r]);
+				deck_assert(!ts_contact_touches(rows, r));
 				continue;
 			}
 			deck_assert(w->place[slot] != 0); /* nobody has written over it */
 			deck_assert(rows->active[w->place[slot] - 1].row == r);
-			if (rows->touching[r])
+			if (ts_contact_touches(rows, r))
 				deck_assert(ts_touching_sums_entry(rows, i, n++) ==
 					    2 * slot + (g->entry[k] & 1));
 			if (!--w->waiting[r])
@@ -146,9 +146,9 @@ static void sums_current(const struct ts_contact_list *rows)
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
 			uint32_t r = g->entry[k] >> 1;
 
-			if (rows->touching[r])
+			if (ts_contact_touches(rows, r))
 				deck_assert(ts_touching_sums_entry(rows, i, n++) ==
-					    2 * rows->slot_of[r] + (g->entry[k] & 1));
+					    2 * ts_contact_slot(rows, r) + (g->entry[k] & 1));
 		}
 		deck_assert(rows->sums[i] == n);
 		for (; n < TS_SUM_ROW; n++)
@@ -174,7 +174,7 @@ START_TEST(none_missed)
 			const double *a = sim->particles->x[rows->i[r]], *b = sim->particles->x[rows->j[r]];
 			double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
 
-			deck_assert(rows->touching[r] == (x * x + y * y + z * z < 0.072 * 0.072));
+			deck_assert(ts_contact_touches(rows, r) == (x * x + y * y + z * z < 0.072 * 0.072));
 		}
 		sums_current(rows);
 		for (int k = 0; k < rows->shares; k++)

@@ -118,7 +118,7 @@ static void from_rows(const struct tsim *sim, struct contacts *c)
 		if (p->tag[rows->i[r]] != a || p->tag[rows->j[r]] != b ||
 		    (!ghost && ts_contact_image(rows, r) != TS_IMAGE_SELF))
 			ck_abort_msg("row %zu does not fit the particles", r);
-		if (!rows->touching[r])
+		if (!ts_contact_touches(rows, r))
 			continue;
 		c->count[a][b]++;
 		if (!ghost)
@@ -261,10 +261,10 @@ static int mark(struct tsim *sim)
 	for (size_t r = 0; r < rows->n; r++) {
 		int a = ts_contact_tag(rows, r, 0), b = ts_contact_tag(rows, r, 1);
 
-		rows->touching[r] = (a + b) % 3 != 0;
-		rows->history[2 * r] = rows->touching[r] ? label(a, b) : 0;
-		rows->history[2 * r + 1] = rows->touching[r] ? (a < b ? 1 : -1) * label(a, b) : 0;
-		marked += rows->touching[r];
+		ts_contact_set_touching(rows, r, (a + b) % 3 != 0);
+		rows->history[2 * r] = ts_contact_touches(rows, r) ? label(a, b) : 0;
+		rows->history[2 * r + 1] = ts_contact_touches(rows, r) ? (a < b ? 1 : -1) * label(a, b) : 0;
+		marked += ts_contact_touches(rows, r);
 	}
 	return marked;
 }
@@ -279,10 +279,10 @@ static void check_marks(const struct tsim *sim, int marked)
 
 		if (a == b)
 			continue;
-		ck_assert_int_eq(rows->touching[r], (a + b) % 3 != 0);
+		ck_assert_int_eq(ts_contact_touches(rows, r), (a + b) % 3 != 0);
 		ck_assert_double_eq(rows->history[2 * r], expected);
 		ck_assert_double_eq(rows->history[2 * r + 1], (a < b ? 1 : -1) * expected);
-		marked -= rows->touching[r];
+		marked -= ts_contact_touches(rows, r);
 	}
 	ck_assert_int_eq(marked, 0);
 }
@@ -354,7 +354,7 @@ START_TEST(history_through_face)
 	ck_assert_int_eq(mark(sim), 0); /* 1 + 2 is not marked: do it by hand */
 	ck_assert_uint_eq(rows->n, 1);
 	for (size_t r = 0; r < rows->n; r++) {
-		rows->touching[r] = 1;
+		ts_contact_set_touching(rows, r, true);
 		rows->history[2 * r] = 23.85;
 		rows->history[2 * r + 1] = ts_contact_tag(rows, r, 0) == 1 ? 3.7 : -3.7;
 	}
@@ -364,7 +364,7 @@ START_TEST(history_through_face)
 		rebuild(sim);
 		ck_assert_uint_ge(rows->n, 1);
 		for (size_t r = 0; r < rows->n; r++) {
-			ck_assert_msg(rows->touching[r], "lost at step %d", step);
+			ck_assert_msg(ts_contact_touches(rows, r), "lost at step %d", step);
 			ck_assert_double_eq(rows->history[2 * r], 23.85);
 			ck_assert_double_eq(rows->history[2 * r + 1],
 					    ts_contact_tag(rows, r, 0) == 1 ? 3.7 : -3.7);
