@@ -76,7 +76,7 @@ static void write_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	bool swap = ts_contact_tag(list, r, 0) > ts_contact_tag(list, r, 1); /* the smaller identity first */
 	size_t a = swap ? j : i, b = swap ? i : j;
-	const double *force = ts_contact_force(list, r);
+	const double *force = ts_contact_force(list, ts_contact_kept(list, r));
 	double d2 = 0;
 
 	row[0] = p->tag[a];

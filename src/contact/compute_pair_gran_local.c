@@ -35,10 +35,11 @@ static bool is_listed(const struct ts_instance *self, const struct tsim *sim, si
 static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
+	size_t slot = ts_contact_kept(list, v->row);
 
 	for (int k = 0; list->parts > 1 && k < 3; k++)
-		f->torque[k] = (sim->particles->radius[v->a] - ts_contact_force(list, v->row)[3]) *
-			       ts_contact_tangential_torque(list, v->row)[k];
+		f->torque[k] = (sim->particles->radius[v->a] - ts_contact_force(list, slot)[3]) *
+			       ts_contact_tangential_torque(list, slot)[k];
 }
 
 /* Conductance of the last step times the present temperature difference. */

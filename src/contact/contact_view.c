@@ -98,7 +98,7 @@ void ts_contact_view(const struct tsim *sim, size_t r, struct ts_contact_view *v
 	view->sign = swap ? -1 : 1;
 	ts_sub(p->x[i], p->x[j], view->d);
 	ts_scale(view->sign, view->d, view->d);
-	ts_scale(view->sign, ts_contact_force(list, r), view->force);
+	ts_scale(view->sign, ts_contact_force(list, ts_contact_kept(list, r)), view->force);
 	view->distance = ts_norm(view->d);
 }
 

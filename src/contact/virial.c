@@ -30,7 +30,7 @@ static void add_virial_of_contacts(const struct tsim *sim, size_t i, double w[6]
 
 		ts_sub(p->x[list->i[r]], p->x[list->j[r]], d);
 		if (ts_contact_touches(list, r))
-			add_virial_of_pair(w, d, ts_contact_force(list, r));
+			add_virial_of_pair(w, d, ts_contact_force(list, ts_contact_kept(list, r)));
 	}
 }
 

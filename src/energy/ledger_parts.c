@@ -97,8 +97,9 @@ static void account_pair(struct pair_accounting *w, size_t r, int side, size_t o
 	ts_contact_touch(p, i, j, m, &t);
 	ts_granular_add_bulge(m, memory, &t);
 	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory,
-			 ts_contact_force(rows, r),
-			 rows->parts > 2 ? ts_contact_rolling_torque(rows, r) : zero, &parts);
+			 ts_contact_force(rows, ts_contact_kept(rows, r)),
+			 rows->parts > 2 ? ts_contact_rolling_torque(rows, ts_contact_kept(rows, r)) : zero,
+			 &parts);
 	/* a periodic image may move relative to its original; the other half is accounted by the
 	 * mirrored pair */
 	if (j >= p->n) {

@@ -174,7 +174,7 @@ static void append_pairs(struct ts_contact_list *list, struct ts_contact_span *s
 		uint32_t r = chosen[k];
 
 		ts_contact_set_slot(list, r, (uint32_t)span->active_end);
-		list->active[span->active_end++] = (struct ts_active_pair){ r, r, list->i[r], list->j[r] };
+		list->active[span->active_end++] = (struct ts_active_pair){ r, 0, list->i[r], list->j[r] };
 	}
 }
 

@@ -19,7 +19,7 @@ void ts_contact_list_locate(const struct tsim *sim, struct ts_contact_list *list
 bool ts_active_pairs_outdated(const struct ts_contact_list *list);
 
 /* Chooses the active pairs of each of the list->shares shares and sorts them into blocks of one contact law.
- * Slot r belongs to pair r; ts_contact_slot gives the index of the active pair of a candidate pair. */
+ * Slots are not assigned yet; ts_contact_slot gives the index of the active pair of a candidate pair. */
 enum ts_status ts_active_pairs_choose(struct tsim *sim, struct ts_contact_list *list);
 
 #endif

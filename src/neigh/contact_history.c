@@ -99,7 +99,8 @@ static void save_shares(void *context, size_t from, size_t to)
 				continue;
 			s->h->key[n] = make_key(list, r, &swapped);
 			if (s->forces)
-				copy_force(s->h->force[n], ts_contact_force(list, r), swapped);
+				copy_force(s->h->force[n], ts_contact_force(list, ts_contact_kept(list, r)),
+					   swapped);
 			copy_signed(s->h->value + n * width, list->history + r * width, width,
 				    list->history_sign, swapped);
 			n++;
@@ -334,7 +335,8 @@ static void restore_share(void *context, size_t from, size_t to)
 			copy_signed(list->history + r * h->width, h->value + (size_t)(k - 1) * h->width,
 				    h->width, list->history_sign, swapped);
 		if (h->force)
-			copy_force(ts_contact_force(list, r), h->force[k - 1], swapped);
+			copy_force(ts_contact_force(list, ts_contact_kept(list, r)), h->force[k - 1],
+				   swapped);
 	}
 }
 

@@ -273,7 +273,7 @@ enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_l
 static size_t largest_state(const struct ts_contact_list *list)
 {
 	size_t history = list->n * list->history_width * sizeof *list->history,
-	       kept = list->n * (size_t)list->parts * sizeof *list->result;
+	       kept = list->n * (size_t)list->parts * sizeof *list->result; /* if all pairs touch */
 
 	return history > kept ? history : kept;
 }

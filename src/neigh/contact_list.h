@@ -71,7 +71,7 @@ struct ts_contact_chunk {
 enum ts_contact_results {
 	TS_RESULTS_NONE,   /* none: not computed since the list was built */
 	TS_RESULTS_PASSED, /* none: slots were reused after the particles had summed them */
-	TS_RESULTS_KEPT,   /* all: that of pair r in slot r */
+	TS_RESULTS_KEPT,   /* all: that of pair r in slot ts_contact_kept(list, r) */
 };
 
 struct ts_contact_list {
@@ -206,6 +206,12 @@ static inline void ts_contact_set_slot(const struct ts_contact_list *list, size_
 static inline bool ts_contact_touches(const struct ts_contact_list *list, size_t r)
 {
 	return list->slot[r] & 1;
+}
+
+/* Where all results are kept: the slot of pair r; that which is zero if the pair does not touch. */
+static inline size_t ts_contact_kept(const struct ts_contact_list *list, size_t r)
+{
+	return ts_contact_touches(list, r) ? ts_contact_slot(list, r) : list->zero_slot;
 }
 
 static inline void ts_contact_set_touching(const struct ts_contact_list *list, size_t r, bool touches)

@@ -134,6 +134,31 @@ static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *
 	return status;
 }
 
+/* ---- slots that are kept */
+
+/* Touching pairs first, in the order of the list; then the slot that is zero; then all other active pairs, which take
+ * memory only where they begin to touch. Returns the number of touching pairs. */
+static size_t assign_kept_slots(const struct ts_contact_list *list, size_t *room)
+{
+	uint32_t touching = 0, others;
+
+	for (int k = 0; k < list->shares; k++)
+		for (size_t b = list->span[k].block; b < list->span[k].block_end; b++)
+			touching += list->block[b].touching;
+	others = touching + 1;
+	touching = 0;
+	for (int k = 0; k < list->shares; k++)
+		for (size_t b = list->span[k].block; b < list->span[k].block_end; b++) {
+			const struct ts_active_block *block = &list->block[b];
+
+			for (size_t at = 0; at < block->n; at++)
+				list->active[block->first + at].slot =
+					at < block->touching ? touching++ : others++;
+		}
+	*room = others - 1;
+	return touching;
+}
+
 static void write_slots_share(void *context, size_t from, size_t to)
 {
 	const struct ts_contact_list *list = context;
@@ -161,27 +186,34 @@ static void clear_share(void *context, size_t from, size_t to)
 		memset(list->result + from, 0, (to - from) * sizeof *list->result);
 }
 
-/* Allocates `room` results and one that remains zero, all zero. */
-static enum ts_status clear_results(const struct tsim *sim, struct ts_contact_list *list, size_t room)
+/* Allocates `room` results and one that remains zero, that of slot `zero`; all before it are zero, too. */
+static enum ts_status clear_results(const struct tsim *sim, struct ts_contact_list *list, size_t zero,
+				    size_t room)
 {
-	list->zero_slot = (uint32_t)room;
+	size_t clear;
+
+	list->zero_slot = (uint32_t)zero;
 	list->parts = list->parts ? list->parts : 1;
-	room = (room + 1) * (size_t)list->parts;
-	TS_TRY(TS_RENEW_UNSET(list->result, list->result_capacity, room));
-	ts_parallel(ts_team(sim, 4 * room), room, clear_share, list);
+	clear = (zero + 1) * (size_t)list->parts;
+	TS_TRY(TS_RENEW_UNSET(list->result, list->result_capacity, (room + 1) * (size_t)list->parts));
+	ts_parallel(ts_team(sim, 4 * clear), clear, clear_share, list);
 	return TS_OK;
 }
 
 static enum ts_status assign_and_clear(struct tsim *sim, struct ts_contact_list *list, bool kept)
 {
-	size_t room = list->n;
+	size_t room, zero;
 
 	TS_TRY(find_chunks(sim, list));
 	TS_TRY(ts_touching_sums_reset(list));
-	if (!kept)
+	if (kept) {
+		zero = assign_kept_slots(list, &room);
+	} else {
 		TS_TRY(assign_reused_slots(list, &room));
+		zero = room;
+	}
 	ts_parallel(list->shares, (size_t)list->shares, write_slots_share, list);
-	return clear_results(sim, list, room);
+	return clear_results(sim, list, zero, room);
 }
 
 enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *list, bool kept)
@@ -215,8 +247,10 @@ enum ts_status ts_force_slots_keep_all(struct tsim *sim, struct ts_contact_list 
 {
 	ts_contacts_store_history(sim, list);
 	list->active_chosen = false;
-	if (clear_results(sim, list, list->n) != TS_OK)
+	if (clear_results(sim, list, list->n, list->n) != TS_OK)
 		return ts_nomem(&sim->error);
+	for (size_t r = 0; r < list->n; r++)
+		ts_contact_set_slot(list, r, (uint32_t)r);
 	list->results = TS_RESULTS_KEPT;
 	return TS_OK;
 }

@@ -40,7 +40,8 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "",
 			    ts_contact_tag(list, r, is_i ? 1 : 0));
 		if (list->results == TS_RESULTS_KEPT)
-			ts_str_addf(out, " (force %g)", ts_norm(ts_contact_force(list, r)));
+			ts_str_addf(out, " (force %g)",
+				    ts_norm(ts_contact_force(list, ts_contact_kept(list, r))));
 	}
 }
 
