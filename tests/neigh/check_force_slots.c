@@ -223,6 +223,38 @@ START_TEST(looked_at)
 }
 END_TEST
 
+/* Kept results: each active pair has a slot, those of touching pairs are first, without gaps; what is read of a pair that
+ * does not touch is zero. */
+START_TEST(kept_slots)
+{
+	struct tsim *sim = shake("p p p", 1 + _i, "run 30");
+	struct ts_contact_list *rows = &sim->neigh->contacts;
+	uint8_t *used = ts_alloc(rows->n + 1, 1);
+	size_t touching = 0;
+
+	rows->active_chosen = false;
+	ck_assert_int_eq(ts_force_slots_prepare(sim, rows, true), TS_OK);
+	ck_assert_int_eq(rows->results, TS_RESULTS_KEPT);
+	for (size_t r = 0; r < rows->n; r++) {
+		size_t slot = ts_contact_slot(rows, r), kept = ts_contact_kept(rows, r);
+
+		touching += ts_contact_touches(rows, r);
+		deck_assert(ts_contact_touches(rows, r) ? kept == slot && slot < rows->zero_slot
+							: kept == rows->zero_slot);
+		deck_assert(ts_contact_force(rows, kept)[0] == 0);
+		if (slot == TS_PAIR_INACTIVE)
+			continue;
+		deck_assert(slot <= rows->n && slot != rows->zero_slot && !used[slot]);
+		deck_assert((slot + 1) * (size_t)rows->parts <= rows->result_capacity);
+		used[slot] = 1;
+	}
+	ck_assert_uint_gt(touching, 0);
+	ck_assert_uint_eq(rows->zero_slot, touching);
+	ts_free(used);
+	tsim_close(sim);
+}
+END_TEST
+
 static int stop(struct tsim *sim, void *data)
 {
 	(void)data;
@@ -255,6 +287,7 @@ int main(void)
 	tcase_add_loop_test(tests, one_row_at_a_time, 0, 6);
 	tcase_add_loop_test(tests, none_missed, 0, 2);
 	tcase_add_loop_test(tests, same_bits, 0, 2);
+	tcase_add_loop_test(tests, kept_slots, 0, 3);
 	tcase_add_test(tests, looked_at);
 	tcase_add_test(tests, stopped);
 	suite_add_tcase(suite, tests);
