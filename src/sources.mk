@@ -867,6 +867,7 @@ library_sources = \
 	src/library/library_features.c \
 	src/library/library_life.c \
 	src/library/library_manual.c \
+	src/library/library_pairs.c \
 	src/library/library_particles.c \
 	src/library/library_run.c \
 	src/library/library_state.c \

@@ -286,6 +286,13 @@ TSIM_API uint64_t tsim_generation(struct tsim *sim);
 /* Name of the stored column k, from 0; NULL at the end. */
 TSIM_API const char *tsim_column_name(struct tsim *sim, size_t k);
 
+/* Pairs of the contact list, as it was built last: all particles that were nearer to each other than the sum of their
+ * radii plus the skin, but two immobile ones and pairs that are excluded. Each pair is there once, also across a periodic
+ * face, with two indices in the present order of particles in memory. *n: number of pairs; the first `room` of them are
+ * written to pair[0], pair[1] ..., 2 * room numbers (NULL if room is 0). TSIM_STATE: no list has been built since
+ * particles were created, deleted or reordered. */
+TSIM_API int tsim_pairs(struct tsim *sim, int32_t *pair, size_t room, size_t *n);
+
 /* Particles to be created. Arrays of n elements, x and v of 3 n: x0 y0 z0 x1 ... All but x may be NULL,
  * with the defaults below. */
 struct tsim_particles {

@@ -648,6 +648,99 @@ class Lammps(Case):
         self.assertFalse(lmp.has_mpi_support)
         self.assertIn("gsl", lmp.installed_packages)
 
+    def near(self, skin):
+        """Pairs nearer than the skin by a search among all, x being periodic: ids, and how often."""
+        lmp = self.sim
+        x, radius, length = rows(lmp.read("x")), list(lmp.read("radius")), lmp.box.hi[0] - lmp.box.lo[0]
+        found = {}
+        for i in range(len(x)):
+            for j in range(i + 1):
+                for turn in (-1, 0, 1):
+                    d = [x[i][0] - x[j][0] + turn * length, x[i][1] - x[j][1], x[i][2] - x[j][2]]
+                    inside = sum(c * c for c in d) < (radius[i] + radius[j] + skin)**2
+                    if inside and (i != j or turn > 0):
+                        pair = tuple(sorted((i, j)))
+                        found[pair] = found.get(pair, 0) + 1
+        return found
+
+    def listed(self):
+        pairs = {}
+        for i, n, partners in self.sim.get_neighlist(0):
+            self.assertEqual(n, len(partners))
+            for j in partners:
+                pair = tuple(sorted((i, j)))
+                pairs[pair] = pairs.get(pair, 0) + 1
+        return pairs
+
+    def test_neighbour_lists(self):
+        lmp = self.sim
+        with self.assertRaisesRegex(tsim.TsimError, "run 0"):
+            lmp.get_neighlist(0)
+        lmp.command("compute n all neighbor/atom")  # the list has the given skin
+        for skin in (0.0238, 0.05):
+            lmp.commands_string("neighbor %g bin\nset atom 1*9 diameter 0.09\nrun 0" % skin)
+            brute = self.near(skin)
+            self.assertGreater(len(brute), 600)
+            self.assertEqual(self.listed(), brute)
+        lmp.commands_string("set group all diameter 0.0523\nrun 300")
+        self.assertEqual(lmp.get_neighlist_size(0), 294)
+        rows_of = lmp.get_neighlist(0)
+        self.assertEqual((len(rows_of), rows_of.size), (294, 294))
+        self.assertEqual(rows_of[7], lmp.get_neighlist_element_neighbors(0, 7))
+        self.assertEqual(rows_of.find(7), rows_of.get(7)[1:])
+        self.assertEqual(rows_of.find(294), (-1, None))
+        self.assertRaises(IndexError, rows_of.get, 294)
+        self.assertRaises(IndexError, rows_of.get, -1)
+        self.assertIn("294 particles", str(rows_of))
+        i, partners = lmp.numpy.get_neighlist_element_neighbors(0, 7) if numpy is not None else rows_of[7][::2]
+        self.assertEqual((i, list(partners)), (7, rows_of[7][2]))
+        self.assertRaises(ValueError, lmp.get_neighlist, 1)
+        self.assertEqual(lmp.get_neighlist_size(1), -1)
+        seen = []
+
+        def look(sim):
+            seen.append(sum(n for _, n, _ in sim.get_neighlist(0)))
+        lmp.on_step("after_force", look)
+        lmp.step(2)
+        self.assertGreaterEqual(len(seen), 2)  # also for the first forces
+        self.assertGreater(seen[0], 600)
+        lmp.create([[0.1, 0.1, 0.9]], radius=0.01)
+        self.assertRaises(tsim.TsimError, lmp.get_neighlist_size, 0)
+
+    def test_small_periodic_boxes(self):
+        lmp = self.sim
+        lmp.commands_string("""
+            clear
+            boundary p f f
+            region b block 0 0.11 0 1 0 1 units box
+            create_box 1 b
+            create_atoms 1 single 0.02 0.5 0.5 units box
+            create_atoms 1 single 0.09 0.5 0.5 units box
+            set group all diameter 0.05 density 2385
+            pair_style spring/dashpot
+            pair_coeff * * stiffness 2385 restitution 0.5
+            neighbor 0.0238 bin
+            compute n all neighbor/atom
+            fix m all nve
+            run 0""")
+        self.assertEqual(self.listed(), self.near(0.0238))
+        self.assertEqual(self.listed(), {(0, 1): 2})  # once directly, once across the face
+
+    def test_finding_neighbour_lists(self):
+        lmp = self.sim
+        self.assertEqual(lmp.find_pair_neighlist("spring/dashpot"), 0)
+        self.assertEqual(lmp.find_pair_neighlist("spring"), -1)
+        self.assertEqual(lmp.find_pair_neighlist("spring", exact=False), 0)
+        self.assertEqual(lmp.find_pair_neighlist("spring/dashpot", nsub=2), -1)
+        self.assertEqual(lmp.find_pair_neighlist("spring/dashpot", reqid=1), -1)
+        self.assertEqual(lmp.find_compute_neighlist("pairs"), 0)
+        self.assertEqual([lmp.find_compute_neighlist(name) for name in ("k", "nix")], [-1, -1])
+        self.assertEqual([lmp.find_fix_neighlist(name) for name in ("g", "nix")], [-1, -1])
+        lmp.commands_string("clear\nboundary f f f\nregion b block 0 1 0 1 0 1 units box\ncreate_box 1 b\nrun 0")
+        self.assertEqual(lmp.find_pair_neighlist("spring/dashpot"), -1)
+        with self.assertRaisesRegex(tsim.TsimError, "no contact list"):
+            lmp.get_neighlist(0)
+
     def test_create(self):
         lmp = self.sim
         n = len(lmp)

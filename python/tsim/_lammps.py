@@ -11,6 +11,7 @@ import sys
 from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple
 
 from ._library import _lib, _text
+from ._neighbours import NeighbourNames, NeighList
 from ._numbers import _integers, numpy
 from ._results import TsimError
 
@@ -121,8 +122,16 @@ class NumpyNames:
         """Bonds: rows of type and the identities of the partners."""
         return self._sim.gather_bonds()[1]
 
+    def get_neighlist(self, idx: int) -> NeighList:
+        """The contact list, with rows (particle, array of neighbours)."""
+        return NeighList(self._sim, idx, True)
 
-class LammpsNames:
+    def get_neighlist_element_neighbors(self, idx: int, element: int) -> Any:
+        """(particle, array of its neighbours) of one row of the contact list."""
+        return NeighList(self._sim, idx, True).get(element)
+
+
+class LammpsNames(NeighbourNames):
     """Names of LAMMPS and LIGGGHTS, a part of Simulation."""
 
     # what Simulation has

@@ -6,6 +6,9 @@
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 
+/* Whether the pairs of the contact list are of the particles that have their indices now. */
+bool ts_contacts_current(const struct tsim *sim);
+
 /* Fails if particles were added, deleted or reordered since contacts and bonds were computed last, so that
  * their indices are not valid. `self` is named in the message. */
 enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *self);

@@ -15,6 +15,8 @@ static unsigned null;
 
 static struct tsim *sim;
 static double number[64];
+static const char contacts[] =
+	"pair_style spring/dashpot\npair_coeff * * stiffness 2385 restitution 0.5\nrun 0\n";
 static int32_t id[64] = { 1, 2 };
 static unsigned char member[64];
 static char text[200];
@@ -91,6 +93,7 @@ static const char *write_table(void)
 	ROW(tsim_release, 0, VOID(tsim_release(S, P(1, text))))                                             \
 	ROW(tsim_generation, 0, VOID(tsim_generation(S)))                                                   \
 	ROW(tsim_column_name, 0, VOID(tsim_column_name(S, 0)))                                              \
+	ROW(tsim_pairs, 7, (tsim_string(sim, contacts), tsim_pairs(S, P(1, id), 1, P(2, &size))))           \
 	ROW(tsim_create, 3, tsim_create(S, P(1, &particles), P(2, id)))                                     \
 	ROW(tsim_delete, 3, tsim_delete(S, P(1, id), 1))                                                    \
 	ROW(tsim_group_bit, 7, tsim_group_bit(S, P(1, "all"), P(2, &whole)))                                \
