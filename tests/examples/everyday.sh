@@ -10,7 +10,8 @@ results 'a drum that has hardly turned: the balance of moments is exact' in.drum
 	-var rpm 40 -var start 500 -var steps 3000
 results 'a drum with two sizes of grains' in.drum 4 -var R 0.03 -var length 0.01 -var small 0.0018 -var rpm 40 -var start 40000 -var steps 45000
 results 'a screw conveyor' in.screw 1 -var fill 0.15 -var d 0.008 -var rpm 120 -var start 16667 -var steps 16667 -var within 0.05
-results 'a heap under a tube' in.heap 2 -var grains 1000 -var R 0.04 -var speed 0.15 -var steps 30000 -var tolerance 12
+# With other seeds 21.0 to 22.2 degrees; a tube that is lifted faster, or a smaller tray, makes them scatter
+results 'a heap under a tube' in.heap 2 -var grains 1400 -var R 0.036 -var speed 0.1 -var steps 45000 -var tolerance 2
 results 'a powder under a punch' in.compaction 2 -var grains 600 -var R 0.012 -var steps 32000
 results 'grains that roll down a chute' in.chute 1 -var steps 6000
 results 'grains that slide' in.chute 1 -var slope 60 -var steps 6000
