@@ -391,7 +391,8 @@ static const char doc[] =
 	"  of two granules:            u1' = ((1 - e_p) u1 + (1 + e_p) u2)/2           (8)\n"
 	"                              u2' = ((1 - e_p) u2 + (1 + e_p) u1)/2           (9)\n\n"
 	"(8) and (9) hold along the line of centres, if the granules approach; the components across it do\n"
-	"not change. The new velocity (u, v) becomes the speed max(|u|, |v|) and a direction.";
+	"not change. The new velocity (u, v) becomes the speed max(|u|, |v|) and a direction.\n\n"
+	"Equations typeset, assumptions, order and limits: doc/theory-granular-film.md.";
 static const char *const doc_more[] = {
 	"Where the paper leaves a choice there is an option; doc/granular-film.md shows what each does to "
 	"the\n"

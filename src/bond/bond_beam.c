@@ -120,7 +120,8 @@ const struct ts_bond_style ts_bond_beam = {
 			  "two ends, k_s for the displacement across the beam by their mean. A straight "
 			  "cantilever has the exact deflection P L^3/(3 E I) + P L/(kappa G A) with any "
 			  "number of bonds; compare bond parallel, which needs many. Fibres, grass, fabrics. "
-			  "The mass of the beam is that of the particles.",
+			  "The mass of the beam is that of the particles.\n\n"
+			  "Equations typeset, assumptions, order and limits: doc/theory-bonds.md.",
 		   .doc_more = more,
 		   .example = "bond_style beam\n"
 			      "bond_coeff 1 E 3.1e9 nu 0.3 lambda 1 sigma_c 60e6 damping 0.05",

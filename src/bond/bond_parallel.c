@@ -173,7 +173,8 @@ const struct ts_bond_style ts_bond_parallel = {
 			  "A straight chain of N bonds of length l = L/N with kn = E/l, ks = G/l has the "
 			  "exact deflections P L/(E A) by an axial force P, P L^3/(3 E I) (1 - 1/(4 N^2)) + "
 			  "P L/(G A) by a transverse force, M L^2/(2 E I) by a moment M, and the twist T "
-			  "L/(G J) by a torque T.",
+			  "L/(G J) by a torque T.\n\n"
+			  "Equations typeset, assumptions, order and limits: doc/theory-bonds.md.",
 		   .doc_more = more,
 		   .example = "bond_style parallel\n"
 			      "bond_coeff 1 E 62e9 ratio 2.5 sigma_c 175e6 tau_c 175e6 scatter normal "

@@ -181,6 +181,8 @@ static const char other_laws[] =
 	"liquid bridges (doc/bridges.md). `surface multicontact`: fix multicontact/halfspace.";
 
 static const char usage[] =
+	"These equations typeset, with assumptions, order and limits: doc/theory-contact.md, "
+	"doc/theory-adhesion.md, doc/theory-rolling.md.\n\n"
 	"The constants are defined by fix property/global. Per type: youngsModulus, poissonsRatio. Per pair "
 	"of types: coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), cohesionEnergyDensity, workOfAdhesion (jkr; "

@@ -115,7 +115,8 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 	"u is the velocity of the fluid at the centre of the particle: by default interpolated\n"        \
 	"linearly, with `interpolation cell` that of the cell that contains the centre. f_ID[1],\n"      \
 	"f_ID[2] and f_ID[3] are the components of the total force on the particles of the group,\n"     \
-	"f_ID[4] is the largest particle Reynolds number.\n\n"                                           \
+	"f_ID[4] is the largest particle Reynolds number. The equations of all laws typeset, with\n"     \
+	"assumptions, order and limits: doc/theory-drag.md.\n\n"                                         \
 	"The keyword `scheme` selects the integration in time. c = F/(u - v) is the drag coefficient\n"  \
 	"and tau = m/c the relaxation time. `explicit` applies the force at the present velocity,\n"     \
 	"which is stable for time steps below 2 tau. `exact` integrates the exponential relaxation\n"    \

@@ -494,7 +494,8 @@ static const char doc[] =
 	"`upper`.\n\n"
 	"The film is solved again in each step in which heights or velocities have changed, with `update "
 	"run`\n"
-	"only at the beginning of each run. A direct solver is used: 0.04 s for 256 x 64 cells.";
+	"only at the beginning of each run. A direct solver is used: 0.04 s for 256 x 64 cells.\n\n"
+	"Equations typeset, assumptions, order and limits: doc/theory-film.md.";
 static const char *const doc_more[] = {
 	"With the slip lengths b1 and b2 of `lower_slip` and `upper_slip` the fluid at the surfaces has the\n"
 	"velocities U1' = U1 + b1 du/dz and U2' = U2 - b2 du/dz (Navier), and with H = h + b1 + b2\n\n"

@@ -422,7 +422,8 @@ const struct ts_flow_style ts_flow_projection = {
 			  "cause\n"
 			  "reported. The fluid makes one step in each step of the simulation, one in "
 			  "`every`\n"
-			  "N steps, or `substeps` in one.",
+			  "N steps, or `substeps` in one.\n\n"
+			  "Equations typeset, assumptions, order and limits: doc/theory-fluid.md.",
 		   .example = "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0\n"
 			      "flow_style projection cells 80 10 10 viscosity 1.0e-3 density 1000 convection "
 			      "donor gamma 0.5 time rk3 substeps auto body_force 0 0 -9.81",

@@ -42,7 +42,8 @@ static const char doc[] =
 	"`scheme euler` is the explicit scheme of LIGGGHTS, of first order. Its limit is the smallest m "
 	"c/sum h of a particle; above it temperatures oscillate, and the run warns. A run whose temperatures "
 	"diverge stops with an error. `scheme exact` solves the linear system exactly over each time step, "
-	"with the contacts at the end of the step, and has no limit.";
+	"with the contacts at the end of the step, and has no limit.\n\n"
+	"Equations typeset, assumptions, order and limits: doc/theory-heat.md.";
 
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 const struct ts_style ts_fix_heat_gran = {

@@ -25,7 +25,8 @@ const struct ts_style ts_fix_nve = {
 	.doc = "Each step of length h is v += h/2 f/m; x += h v; computation of the forces f; v += h/2 f/m. "
 	       "Velocity Verlet is of second order and symplectic, and stable for h < 2/omega, omega the "
 	       "highest angular frequency. Contact forces use the velocities of the half step, as in "
-	       "LIGGGHTS and LAMMPS. Rotation is not integrated; see fix nve/sphere.",
+	       "LIGGGHTS and LAMMPS. Rotation is not integrated; see fix nve/sphere.\n\n"
+	       "Equations typeset, assumptions, order and limits: doc/theory-motion.md.",
 	.example = "fix move rock nve",
 	.cite = "W. C. Swope et al., J. Chem. Phys. 76 (1982) 637",
 	.integrates = TS_MOVES | TS_OBEYS,

@@ -131,7 +131,8 @@ extern const char *const ts_wear_doc_more[];
 /* The end of the manual of each law. */
 #define TS_WEAR_DOC                                                                                      \
 	TS_WEAR_IMPACT_DOC                                                                               \
-	"Only particles of the group wear the surface.\n\n" TS_WEAR_ELEMENTS_DOC                         \
+	"Only particles of the group wear the surface. The equations of all laws typeset: "              \
+	"doc/theory-wear.md.\n\n" TS_WEAR_ELEMENTS_DOC                                                   \
 	"f_ID[1..13] are those of each element, f_ID is the volume removed from the whole surface, and " \
 	"f_ID[1..12] are its totals elsewhere.\n\n"
 
