@@ -178,19 +178,41 @@ def before_reading(app, name, source):
 
 # ---- formulas
 
+def pandoc(text):
+    done = subprocess.run(["pandoc", "-f", "markdown", "-t", "html", "--mathml"], input=text, text=True,
+                          capture_output=True, check=True)
+    return done.stdout, done.stderr.strip()
+
+
+def source_of(tex, display):
+    return f"$${tex}$$" if display else f"${tex}$"
+
+
 def mathml(tex, display):
     key = (tex, display)
     if key not in mathml.known:
-        text = f"$${tex}$$" if display else f"${tex}$"
-        done = subprocess.run(["pandoc", "-f", "markdown", "-t", "html", "--mathml"], input=text, text=True,
-                              capture_output=True, check=True)
-        if done.stderr:
-            logger.warning("formula %s: %s", tex, done.stderr.strip())
-        mathml.known[key] = re.sub(r"^<p>|</p>$", "", done.stdout.strip())
+        made, message = pandoc(source_of(tex, display))
+        if message:
+            logger.warning("formula %s: %s", tex, message)
+        mathml.known[key] = re.sub(r"^<p>|</p>$", "", made.strip())
     return mathml.known[key]
 
 
 mathml.known = {}
+
+
+def formulas_of_page(app, tree, name):
+    """All formulas of a page by one run of pandoc, a paragraph each; what it complains of is made one by one."""
+    from docutils import nodes
+    if app.builder.format != "html":
+        return
+    keys = [(node.astext(), isinstance(node, nodes.math_block)) for node in tree.findall()
+            if isinstance(node, (nodes.math, nodes.math_block))]
+    keys = [key for key in dict.fromkeys(keys) if key not in mathml.known]
+    made, message = pandoc("\n\n".join(source_of(*key) for key in keys)) if keys else ("", "")
+    parts = re.findall(r"<p>(.*?)</p>", made, re.S)
+    if len(parts) == len(keys) and not message:
+        mathml.known.update(zip(keys, parts))
 
 
 def visit_inline(self, node):
@@ -237,6 +259,7 @@ def setup(app):
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_display, None))
     app.connect("source-read", before_reading)
     app.connect("doctree-read", pictures_for_latex)
+    app.connect("doctree-resolved", formulas_of_page)
 
 
 html_math_renderer = "mathml"
