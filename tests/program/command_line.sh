@@ -80,7 +80,7 @@ page 'particles are grains' pair_style lj/cut
 page 'tsim -help pair spring/dashpot' restitution
 page 'tsim -help fix mesh/surface' hopper
 page 'tsim -help pair gran' Rolling
-page 'tsim -help compute temp/com' granular temperature
+page 'tsim -help compute temp/granular' granular temperature
 page 'tsim -help command flow_boundary' outlet
 page '      v = sum m v_i / sum m' fix ave/euler
 expect 'a style that does not exist' 2 '' "tsim: there is no kind or style 'gravty'; did you mean 'gravity'?
