@@ -13,7 +13,7 @@ for velocities to 1e-5, and each further digit costs a few per cent. `sor` is av
 tolerances() {
 	local method=$1 solver=$2 t
 	shift 2
-	for t in $(levels 1e-1 1e-2 1e-4 1e-6 1e-8 -- 1e-3 1e-5 1e-7 1e-9 1e-10); do
+	for t in $(levels 1e-3 1e-4 1e-6 1e-8 -- 1e-5 1e-7 1e-9 1e-10); do
 		point "$method" $t "$@" -var solver "${solver%% *} tolerance $t ${solver#"${solver%% *}"}"
 	done
 }
