@@ -49,18 +49,10 @@ const double *ts_particle_tally_sums(struct ts_particle_tally *tally)
 
 enum ts_status ts_particle_tally_join(struct tsim *sim, struct ts_particle_tally *tally)
 {
-	struct ts_exactsum sum[TS_PARTICLE_TALLY_MOST];
-
 	if (!tally->fresh)
 		return TS_OK;
-	for (size_t k = 0; k < TS_PARTICLE_TALLY_MOST; k++) {
-		sum[k] = ts_exactsum_start();
-		for (size_t i = 0; i < tally->n; i++)
-			ts_exactsum_add(&sum[k], tally->note[i][k]);
-	}
-	TS_TRY(ts_rank_sums(sim, sum, TS_PARTICLE_TALLY_MOST));
-	for (size_t k = 0; k < TS_PARTICLE_TALLY_MOST; k++)
-		tally->sum[k] = ts_exactsum_value(&sum[k]);
+	TS_TRY(ts_rank_sums(sim, (const double *)tally->note, tally->n, TS_PARTICLE_TALLY_MOST,
+			    TS_PARTICLE_TALLY_MOST, tally->sum));
 	tally->fresh = false;
 	return TS_OK;
 }

@@ -3,10 +3,12 @@
 #define TS_PARTICLE_RANK_SUMS_H
 
 #include "core/sim.h"
-#include "math/exactsum.h"
 
-/* While the particles are divided, sum[0..n) become the sums of the terms of all ranks; else they stay. For the slot
- * `join` of styles: all ranks call it in the same order. */
-enum ts_status ts_rank_sums(struct tsim *sim, struct ts_exactsum *sum, size_t n);
+enum { TS_RANK_SUMS_MOST = 4 };
+
+/* sum[k]: exact sum, rounded once, of data[stride * i + k] over i < n and, while the particles are divided, over all
+ * ranks; k < width <= TS_RANK_SUMS_MOST. For the slot `join` of styles: all ranks call it in the same order. */
+enum ts_status ts_rank_sums(struct tsim *sim, const double *data, size_t n, size_t stride, size_t width,
+			    double *sum);
 
 #endif

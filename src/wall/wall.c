@@ -11,6 +11,7 @@
 #include "core/ranks.h"
 #include "core/report.h"
 #include "insert/template.h"
+#include "math/exactsum.h"
 #include "particle/columns.h"
 #include "particle/prescribed.h"
 #include "particle/rank_sums.h"
@@ -312,37 +313,35 @@ void ts_wall_finish(struct ts_wall *w)
 	w->inside = inside ? (size_t)(inside - c->touching) : TS_WALL_NONE;
 }
 
-/* Without branches: the force of a contact that does not touch is 0. */
-static enum ts_status sum_forces(struct ts_wall *w, struct tsim *sim)
+/* Adds the sums of the forces on the particles; of a contact that does not touch it is 0. */
+static void add_sums(struct ts_wall *w, const double sum[3])
 {
-	const struct ts_wall_contacts *c = &w->contacts;
-	struct ts_exactsum sum[3];
-
-	for (int d = 0; d < 3; d++) {
-		sum[d] = ts_exactsum_start();
-		for (size_t k = 0; k < c->n; k++)
-			ts_exactsum_add(&sum[d], -c->force[k][d]);
-	}
-	if (sim)
-		TS_TRY(ts_rank_sums(sim, sum, 3));
-	for (int d = 0; d < 3; d++)
-		w->force[d] += ts_exactsum_value(&sum[d]);
+	ts_sub(w->force, sum, w->force);
 	w->unsummed = false;
-	return TS_OK;
 }
 
 const double *ts_wall_force(struct ts_wall *w)
 {
+	const struct ts_wall_contacts *c = &w->contacts;
+	double sum[3] = { 0 };
+
+	for (int d = 0; w->unsummed && c->n && d < 3; d++)
+		sum[d] = ts_exactsum_of(&c->force[0][d], c->n, 3);
 	if (w->unsummed)
-		sum_forces(w, NULL);
+		add_sums(w, sum);
 	return w->force;
 }
 
 enum ts_status ts_wall_join(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
+	double sum[3];
 
-	return w->unsummed ? sum_forces(w, sim) : TS_OK;
+	if (!w->unsummed)
+		return TS_OK;
+	TS_TRY(ts_rank_sums(sim, (const double *)w->contacts.force, w->contacts.n, 3, 3, sum));
+	add_sums(w, sum);
+	return TS_OK;
 }
 
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
