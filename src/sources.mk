@@ -629,6 +629,7 @@ library_sources = \
 	src/group/compute_ke.c \
 	src/group/compute_temp.c \
 	src/group/compute_temp_com.c \
+	src/group/compute_temp_sphere.c \
 	src/group/group_dynamic.c \
 	src/group/group_dynamic.h \
 	src/group/group_function.c \

@@ -87,6 +87,14 @@ variable d equal 0.2-x[2]+x[1]
 variable y equal 1/((1-0.09)/1e7+(1-0.04)/3e7)
 print \"is f \$(fx[2]) \$(4/3*v_y*sqrt(0.05*v_d)*v_d)\""
 
+# LAMMPS' hybrid in front of one style
+agree 'hybrid' "$(pair '* * hooke 1e6 0.61 tangential linear_nohistory 0 0 damping coeff_restitution' |
+	sed 's/^pair_style granular/pair_style hybrid granular/; s/^pair_coeff \* \*/& granular/')
+run 12000
+print \"is e \$(abs((vx[2]-vx[1])/0.61-1)<2e-3) 1\""
+rejects 'pair_style hybrid granular gran model hertz' 'all pairs have the same contact law'
+rejects 'pair_style hybrid/overlay granular lj/cut 1' 'lj/cut'
+rejects 'pair_style hybrid' 'expected a pair style behind it'
 rejects "$(pair '* * hooke 1e5 1')
 run 1" "keyword 'tangential' is missing"
 rejects "$(pair '* * hooke 1e5 1 tangential mindlin NULL 1 0.5')

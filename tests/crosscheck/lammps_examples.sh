@@ -23,6 +23,7 @@ agrees() { # FILE STEPS
 }
 agrees pour/in.pour 600
 agrees granregion/in.granregion.funnel 400
+agrees granregion/in.granregion.box 400
 agrees granregion/in.granregion.mixer 400
 agrees granular/in.pour.flatwall 400
 agrees granular/in.pour.drum 40

@@ -35,10 +35,13 @@ timestep 1e-4
 compute all all temp
 compute low low temp
 compute drift all temp/com
+set group low omega 0.7 0.2 3
+compute spin all temp/sphere
+compute turn low temp/sphere dof rotate
 variable e equal f_fall
 variable n equal count(two)
 variable z equal vcm(all,z)
-thermo_style custom step temp c_all c_low c_drift fnorm v_e v_n v_z
+thermo_style custom step temp c_all c_low c_drift c_spin c_turn c_spin[1] c_spin[5] c_turn[6] fnorm v_e v_n v_z
 thermo_modify norm no format float %.15g
 run 0
 velocity low scale 1.7 temp low
@@ -48,6 +51,8 @@ run 0
 velocity all scale 1.3 temp drift
 run 0
 compute_modify all extra/dof 0
+compute_modify spin extra/dof 7
+compute_modify turn extra/dof 2.5
 compute_modify thermo_temp extra/dof 10
 run 0
 thermo_modify temp low
@@ -66,7 +71,7 @@ END
 sed -e '/^thermo_style/,$d' in.both >in.include
 cat >>in.include <<'END'
 neigh_modify include low
-thermo_style custom step temp c_all c_low c_drift fnorm v_e v_n v_z
+thermo_style custom step temp c_all c_low c_drift c_spin c_turn c_spin[1] c_spin[5] c_turn[6] fnorm v_e v_n v_z
 thermo_modify norm no format float %.15g
 run 0
 END
@@ -87,6 +92,6 @@ paste -d' ' theirs.rows ours.rows | awk '
 		if (!(d <= 1e-12 * size)) { print "row " NR " column " k ": " $k " " $(k + n); bad = 1 }
 		count++
 	  } }
-	END { print count " numbers"; exit bad || count != 11 * 8 }' >difference
+	END { print count " numbers"; exit bad || count != 11 * 13 }' >difference
 report 'the same numbers' $? difference
 finish

@@ -27,6 +27,18 @@ compute_modify thermo_temp extra 5 dynamic/dof no
 print 'is all \$(c_all) \$(v_two/(3*40))'
 print 'is drift \$(c_drift) \$((v_two-mass(all)*(vcm(all,x)^2+vcm(all,y)^2+vcm(all,z)^2))/(3*40-7.5))'
 print 'is temp \$(temp) \$(v_two/(3*40-5))'"
+agree 'rotation' "$gas
+set group low omega 0.3 0 0.7
+compute spin all temp/sphere
+compute turn all temp/sphere dof rotate
+compute still all temp/sphere dof rotate
+compute e all erotate/sphere
+compute_modify turn extra 7.5
+print 'is spin \$(c_spin) \$(2*(ke+c_e)/(6*40-3))'
+print 'is turn \$(c_turn) \$(2*c_e/(3*40-7.5))'
+print 'is still \$(c_still) \$(2*c_e/(3*40))'
+print 'is xz \$(c_spin[5]-c_turn[5]) \$(c_all[5])'
+print 'is rotation \$(c_turn[5]) \$(10*0.4*2.385*0.05^2*0.3*0.7)'"
 agree 'keywords by computes' "$gas
 variable before equal \$(temp)
 print 'is press \$(press) \$(c_pall)'
@@ -40,6 +52,10 @@ print 'is press \$(press) \$(c_pall)'
 thermo_modify temp low
 thermo_style custom step temp
 print 'is temp \$(temp) \$(v_before)'"
+rejects "$gas
+compute spin all temp/sphere dof none" "dof"
+rejects "$gas
+compute spin all temp/sphere bias drift" "bias"
 rejects "$gas
 thermo_modify temp pall" 'compute pall gives no temperature'
 rejects "$gas

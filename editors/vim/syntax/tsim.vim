@@ -102,13 +102,13 @@ syn keyword tsimKeyword  tracer reset_marker min max ave sumsq avesq sumabs avea
 syn keyword tsimKeyword  maxabs std inputs peratom update_on_run_end ridge plane center
 syn keyword tsimKeyword  winkler halfspace young poisson counter_young counter_poisson
 syn keyword tsimKeyword  iterations counter adof cdof mean linear/x linear/y linear/z
-syn keyword tsimKeyword  motion translation rotation unbiased primitives colour u v movie
-syn keyword tsimKeyword  voxel clip slice film arrow view zoom persp axes subbox shiny
-syn keyword tsimKeyword  depthcue fsaa ssao legend reset coefficient fluid_acceleration
-syn keyword tsimKeyword  two_way energy sample running window overwrite title1 title2
-syn keyword tsimKeyword  title3 auto auto/upper auto/lower full prefactor scalar nevery
-syn keyword tsimKeyword  cell_size_relative parallel basevolume_region kind global beyond
-syn keyword tsimKeyword  end extra level prob iparam jparam dim vmax
+syn keyword tsimKeyword  motion translation rotation unbiased dof primitives colour u v
+syn keyword tsimKeyword  movie voxel clip slice film arrow view zoom persp axes subbox
+syn keyword tsimKeyword  shiny depthcue fsaa ssao legend reset coefficient
+syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
+syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
+syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
+syn keyword tsimKeyword  global beyond end extra level prob iparam jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate wiggle
 syn keyword tsimKeyword  xy xz yz flip xyz scheme explicit implicit lagged void sound C1 C2
@@ -251,8 +251,8 @@ syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/loc
 syn keyword tsim_compute contained pressure property/atom property/chunk property/local quantile rdf
 syn keyword tsim_compute contained reduce reduce/chunk reduce/region repose/angle slice squeeze/atom
 syn keyword tsim_compute contained stress/atom stress/region surface/contact temp temp/chunk temp/com
-syn keyword tsim_compute contained temp/granular temp/granular/chunk torque/chunk vacf vcm/chunk
-syn keyword tsim_compute contained wall/gran/local
+syn keyword tsim_compute contained temp/granular temp/granular/chunk temp/sphere torque/chunk vacf
+syn keyword tsim_compute contained vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
