@@ -57,6 +57,7 @@ static const struct alias {
 	{ TS_KIND_FIX, "heat/gran/conduction", "heat/gran" },
 	{ TS_KIND_FIX, "nve/bpm/sphere", "nve/sphere" },
 	{ TS_KIND_FIX, "nve/sphere/bpm", "nve/sphere" },
+	{ TS_KIND_FIX, "rigid/small", "rigid" },
 	{ TS_KIND_FIX, "particledistribution/discrete/massbased", "particledistribution/discrete" },
 };
 enum { NALIASES = sizeof aliases / sizeof *aliases };

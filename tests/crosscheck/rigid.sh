@@ -8,6 +8,7 @@ needs /usr/bin/python3 python3
 cat >in.scene <<'END'
 units si
 atom_style sphere
+atom_modify map array
 boundary f f f
 newton off
 comm_modify vel yes
@@ -62,4 +63,8 @@ agrees 'two bodies' 'fix r all rigid group 2 a c'
 agrees 'one body' 'fix n c nve/sphere' 'fix r a rigid single'
 agrees 'held in some directions' \
 	'fix r all rigid group 2 a c force 1 on off on torque 2 off off on'
+for style in rigid rigid/small; do
+	agrees "molecules: $style" 'fix m all property/atom mol ghost yes' 'set group a mol 7' 'set group c mol 2' \
+		"fix r all $style molecule"
+done
 finish

@@ -136,4 +136,28 @@ fix r all rigid group 2 left right torque 3 on on on' 'expected one of the 2 bod
 rejects 'variable faces index "p p p"
 include in.scene
 fix r all rigid group 2 left right force 1 on maybe on' 'expected on or off'
+rejects 'variable faces index "p p p"
+include in.scene
+unfix r
+fix r all rigid molecule' 'particles belong to no molecules'
+
+# bodies by molecules, in the order of their numbers: right is the first, the single sphere the last
+agree 'molecules' 'variable faces index "p p p"
+include in.scene
+unfix r
+unfix n
+fix m all property/atom mol ghost yes
+set group right mol 3
+set group left mol 8
+set group free mol 11
+fix r all rigid molecule force 1 off on on
+run 0
+variable centre equal xcm(left,x)
+compute m all multisphere property masstotal
+compute least all reduce min c_m
+print "is lightest $(c_least:%.17g) $(mass(free):%.17g)"
+print "is left $(f_r[2][1]:%.17g) $(v_centre:%.17g)"
+print "is free $(f_r[3][1]:%.17g) 0.59"
+run 100
+print "is held $(vcm(right,x):%.17g) $(f_r[1][4]:%.17g) 1"'
 finish

@@ -228,11 +228,11 @@ syn keyword tsim_fix contained particletemplate/sphere planeforce pour
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter remove rigid
-syn keyword tsim_fix contained scale/diameter setforce spring spring/self store/force store/state
-syn keyword tsim_fix contained surface/heat surface/impacts surface/voxel vector viscous
-syn keyword tsim_fix contained viscous/sphere void_fraction wafer wall/gran wall/gran/region
-syn keyword tsim_fix contained wall/reflect wear/archard wear/bitter wear/finnie wear/formula
-syn keyword tsim_fix contained wear/neilson/gilchrist wear/oka wear/zhao/chang
+syn keyword tsim_fix contained rigid/small scale/diameter setforce spring spring/self store/force
+syn keyword tsim_fix contained store/state surface/heat surface/impacts surface/voxel vector
+syn keyword tsim_fix contained viscous viscous/sphere void_fraction wafer wall/gran
+syn keyword tsim_fix contained wall/gran/region wall/reflect wear/archard wear/bitter wear/finnie
+syn keyword tsim_fix contained wear/formula wear/neilson/gilchrist wear/oka wear/zhao/chang
 syn keyword tsim_fix contained wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
