@@ -402,6 +402,8 @@ static bool work_alone(struct tsim *sim, const struct ts_setup *setup)
 
 	if (runs)
 		return true;
+	if (setup->explain && !sim->reading.ranks)
+		sim->reading.ranks = ts_ranks(sim);
 	sim->world = NULL;
 	sim->files.peers = NULL;
 	return first;

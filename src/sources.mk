@@ -457,6 +457,8 @@ library_sources = \
 	src/explain/plan_report.h \
 	src/explain/price.c \
 	src/explain/price.h \
+	src/explain/rank_report.c \
+	src/explain/rank_report.h \
 	src/film/compute_film.c \
 	src/film/compute_film_atom.c \
 	src/film/film.c \
@@ -1107,6 +1109,8 @@ library_sources = \
 	src/particle/prescribed.h \
 	src/particle/quantity.c \
 	src/particle/quantity.h \
+	src/particle/rank_layout.c \
+	src/particle/rank_layout.h \
 	src/particle/rank_sums.c \
 	src/particle/rank_sums.h \
 	src/particle/reference.c \

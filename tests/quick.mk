@@ -67,6 +67,7 @@ slow_tests = \
 	tests/library/python_types.sh \
 	tests/library/wheel.sh \
 	tests/bench/race.sh \
+	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
 	tests/restart/restart.sh \
 	tests/restart/restart_every.sh \

@@ -197,6 +197,7 @@ shell_tests = \
 	tests/program/kill.sh \
 	tests/program/sandbox.sh \
 	tests/program/signal.sh \
+	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
 	tests/region/regions.sh \
 	tests/report/browser.sh \

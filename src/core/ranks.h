@@ -8,9 +8,13 @@
 
 #include "core/sim.h"
 
-/* Number of ranks. */
+enum { TS_RANKS_MOST = 1000000 }; /* for which a run can be planned */
+
+/* Number of ranks, or of those for which a run is planned. */
 static inline int ts_ranks(const struct tsim *sim)
 {
+	if (sim->reading.ranks)
+		return sim->reading.ranks;
 	return sim->world ? sim->world->n : 1;
 }
 

@@ -4,9 +4,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/ranks.h"
 #include "core/report.h"
 #include "explain/guard.h"
 #include "explain/price.h"
+#include "explain/rank_report.h"
 
 #include "base/banned.h"
 
@@ -197,6 +199,8 @@ enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t ste
 		status = ts_guard_judge(sim, &report);
 	if (status == TS_OK && priced)
 		print_price(plan, sim, &price, steps);
+	if (status == TS_OK && sim->reading.explain && ts_ranks(sim) > 1)
+		status = ts_rank_report(sim, &report, priced ? price.seconds : NAN);
 	ts_report_release(&report);
 	return status;
 }

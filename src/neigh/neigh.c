@@ -281,7 +281,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		if (!sim->run.relist)
 			ts_leaving_hold(sim);
 	}
-	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + image_reach,
+	nb->ghost_reach = 2 * largest + nb->built_skin + image_reach;
+	TS_TRY(ts_exchange_borders(sim, nb->ghost_reach,
 				   2 * largest + fmax(nb->given_skin, nb->built_skin) + image_reach));
 	nb->builds += !(sim->particles->division && sim->particles->division->rebuilding);
 	/* a continued run rebuilds at the steps at which an uninterrupted one would */

@@ -106,6 +106,11 @@ size_t ts_copies_row_bytes(const struct ts_particles *p)
 	return row_bytes(p, 0);
 }
 
+size_t ts_copies_step_bytes(const struct ts_particles *p)
+{
+	return row_bytes(p, TS_COL_FORWARD);
+}
+
 enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out)
 {
 	unsigned char *to = ts_parcel_extend(out, ts_copies_row_bytes(p));
@@ -139,22 +144,77 @@ void ts_copies_unpack(const struct ts_particles *p, size_t i, const unsigned cha
 
 /* ---- making copies */
 
-static enum ts_status list_sent_to(struct tsim *sim, struct ts_copies *c, int rank, double cutoff, size_t *n)
+/* The copies that other ranks get of the particles of this one. */
+struct sending {
+	int own;
+	int32_t (*copy)[2]; /* rank, particle */
+	int32_t particle;   /* the present one */
+	size_t n, capacity;
+	enum ts_status status;
+};
+
+static void note_copy(void *context, int rank)
+{
+	struct sending *s = context;
+
+	if (rank == s->own || s->status != TS_OK)
+		return;
+	s->status = TS_GROW(s->copy, s->capacity, s->n + 1);
+	if (s->status != TS_OK)
+		return;
+	s->copy[s->n][0] = rank;
+	s->copy[s->n++][1] = s->particle;
+}
+
+static enum ts_status find_copies(const struct tsim *sim, double cutoff, struct sending *s)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_rank_blocks *blocks = &sim->division->blocks;
-	size_t first = *n;
 
-	for (size_t i = 0; rank != sim->world->rank && i < p->n; i++) {
-		if (!ts_rank_blocks_reach(blocks, rank, p->xhold[i], cutoff))
-			continue;
-		if (TS_GROW(c->row, c->row_capacity, *n + 1) != TS_OK ||
-		    ts_copies_pack(p, i, &c->out[rank]) != TS_OK)
-			return ts_nomem(&sim->error);
-		c->row[(*n)++] = (int32_t)i;
+	for (size_t i = 0; i < p->n && s->status == TS_OK; i++) {
+		s->particle = (int32_t)i;
+		if (!ts_rank_blocks_inside(blocks, s->own, p->xhold[i], cutoff))
+			ts_rank_blocks_visit(blocks, p->xhold[i], cutoff, note_copy, s);
 	}
-	c->sent[rank] = *n - first;
-	return TS_OK;
+	return s->status;
+}
+
+/* Lists them rank by rank, those of a rank in the order of the particles, and packs them. */
+static enum ts_status list_copies(const struct tsim *sim, struct ts_copies *c, const struct sending *s)
+{
+	int ranks = sim->world->n;
+	size_t first = 0, *at = ts_alloc((size_t)ranks, sizeof *at);
+	enum ts_status status = at ? TS_GROW(c->row, c->row_capacity, s->n) : TS_NOMEM;
+
+	memset(c->sent, 0, (size_t)ranks * sizeof *c->sent);
+	for (size_t k = 0; k < s->n; k++)
+		c->sent[s->copy[k][0]]++;
+	for (int r = 0; status == TS_OK && r < ranks; r++) {
+		c->out[r].n = 0;
+		at[r] = first;
+		first += c->sent[r];
+	}
+	for (size_t k = 0; status == TS_OK && k < s->n; k++) {
+		int32_t rank = s->copy[k][0], i = s->copy[k][1];
+
+		c->row[at[rank]++] = i;
+		status = ts_copies_pack(sim->particles, (size_t)i, &c->out[rank]);
+	}
+	ts_free(at);
+	return status;
+}
+
+static enum ts_status send_copies(struct tsim *sim, struct ts_copies *c, double cutoff)
+{
+	struct sending s = { .own = sim->world->rank };
+	enum ts_status status = find_copies(sim, cutoff, &s);
+
+	if (status == TS_OK)
+		status = list_copies(sim, c, &s);
+	ts_free(s.copy);
+	return status == TS_OK && ts_world_deliver(sim->world, c->out, c->in) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
 }
 
 static enum ts_status add_received(struct tsim *sim, struct ts_copies *c, int rank)
@@ -178,15 +238,9 @@ static enum ts_status add_received(struct tsim *sim, struct ts_copies *c, int ra
 enum ts_status ts_copies_make(struct tsim *sim, double cutoff)
 {
 	struct ts_copies *c = &sim->division->copies;
-	size_t n = 0;
 
 	c->n = 0;
-	for (int r = 0; r < sim->world->n; r++) {
-		c->out[r].n = 0;
-		TS_TRY(list_sent_to(sim, c, r, cutoff, &n));
-	}
-	if (ts_world_deliver(sim->world, c->out, c->in) != TS_OK)
-		return ts_nomem(&sim->error);
+	TS_TRY(send_copies(sim, c, cutoff));
 	for (int r = 0; r < sim->world->n; r++)
 		TS_TRY(add_received(sim, c, r));
 	sim->division->built++;
@@ -254,7 +308,7 @@ void ts_copies_forward(struct tsim *sim)
 	if (!sim->division)
 		return;
 	c = &sim->division->copies;
-	bytes = row_bytes(p, TS_COL_FORWARD);
+	bytes = ts_copies_step_bytes(p);
 	for (int r = 0; r < sim->world->n; r++) {
 		pack_forwarded(p, c->row + row, c->sent[r], &c->out[r]);
 		row += c->sent[r];

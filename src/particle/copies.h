@@ -41,6 +41,8 @@ void ts_copy_map_release(struct ts_copy_map *map);
 enum ts_status ts_copies_make(struct tsim *sim, double cutoff);
 /* Updates the columns that change in each step. */
 void ts_copies_forward(struct tsim *sim);
+/* Bytes that this sends of each copy. */
+size_t ts_copies_step_bytes(const struct ts_particles *p);
 
 /* Appends all columns of row i to a parcel; the bytes of one; writes them to row i. */
 enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out);

@@ -28,7 +28,7 @@ static double filled_length(double (*x)[3], size_t n, int d, double box_length)
 	return n ? fmax(x[n - 1 - few][d] - x[few][d], 1e-3 * box_length) : box_length;
 }
 
-static enum ts_status choose_grid(struct tsim *sim, double (*x)[3], size_t n, int count[3])
+static enum ts_status choose_grid(struct tsim *sim, int ranks, double (*x)[3], size_t n, int count[3])
 {
 	const struct ts_domain *domain = sim->domain;
 	double length[3];
@@ -37,16 +37,15 @@ static enum ts_status choose_grid(struct tsim *sim, double (*x)[3], size_t n, in
 		ts_rank_points_sort(x, n, k);
 		length[k] = filled_length(x, n, k, domain->held_hi[k] - domain->held_lo[k]);
 	}
-	if (ts_rank_blocks_choose(sim->world->n, domain->processors, length, sim->dimension, count))
+	if (ts_rank_blocks_choose(ranks, domain->processors, length, sim->dimension, count))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 0, NULL),
 		       "processors: %d ranks cannot be arranged in a grid of %d x %d x %d (0: any "
 		       "number)",
-		       sim->world->n, domain->processors[0], domain->processors[1], domain->processors[2]);
+		       ranks, domain->processors[0], domain->processors[1], domain->processors[2]);
 }
 
-/* Cuts the box into blocks with the same number of particles. */
-static enum ts_status cut_blocks(struct tsim *sim, struct ts_division *d)
+enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_domain *domain = sim->domain;
@@ -60,12 +59,11 @@ static enum ts_status cut_blocks(struct tsim *sim, struct ts_division *d)
 	if (x && p->n)
 		memcpy(x, p->xhold, p->n * sizeof *x);
 	if (status == TS_OK)
-		status = choose_grid(sim, x, p->n, count);
-	if (status == TS_OK &&
-	    !ts_rank_blocks_cut(&d->blocks, count, domain->held_lo, domain->held_hi, periodic))
+		status = choose_grid(sim, ranks, x, p->n, count);
+	if (status == TS_OK && !ts_rank_blocks_cut(blocks, count, domain->held_lo, domain->held_hi, periodic))
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)
-		ts_rank_blocks_balance(&d->blocks, x, p->n);
+		ts_rank_blocks_balance(blocks, x, p->n);
 	ts_free(x);
 	return status;
 }
@@ -111,7 +109,7 @@ static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, int
 	sim->run.uneven = false;
 	if (status == TS_OK && (!blocks_fit(sim, d) ||
 				(double)find_owners(sim, d, owner, n) > UNEVEN * (double)d->cut_most + FEW)) {
-		status = cut_blocks(sim, d);
+		status = ts_division_cut(sim, sim->world->n, &d->blocks);
 		if (status == TS_OK)
 			d->cut_most = find_owners(sim, d, owner, n);
 	}

@@ -42,6 +42,10 @@ enum ts_status ts_division_migrate(struct tsim *sim);
 /* p->lost, which was `before`, and lost_warned become the same on all ranks. */
 enum ts_status ts_division_agree_lost(struct tsim *sim, int64_t before);
 
+/* Cuts the box into a block for each of so many ranks, with the same number of particles; by the positions at the last
+ * rebuild. */
+enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks);
+
 /* Whether the coordinate x is within `reach` of the block of this rank; without ranks always. */
 bool ts_division_near(const struct tsim *sim, int dim, double x, double reach);
 

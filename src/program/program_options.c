@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/input_limit.h"
+#include "core/ranks.h"
 #include "program/program.h"
 #include "script/script.h"
 #include "tsim.h"
@@ -27,6 +28,7 @@ enum option_id {
 	OPT_REPORT,
 	OPT_SIGNAL,
 	OPT_EXPLAIN,
+	OPT_RANKS,
 	OPT_FULL,
 	OPT_ADVISE,
 	OPT_CROSSCHECK,
@@ -85,6 +87,7 @@ static const struct ts_program_option options[NOPTIONS] = {
 	[OPT_REPORT] = { "report", "FILE [WORDS]", "write a page about the run: -help report", 1 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "restart file of an interrupted run", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
+	[OPT_RANKS] = { "ranks", "N", "with -explain or -check: as if mpirun started N ranks", 1 },
 	[OPT_FULL] = { "full", "[PART ...]",
 		       "no optimizations that -explain lists as omitted: slower, same results", 0 },
 	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]", "measure cost and effect of settings on the script",
@@ -188,6 +191,18 @@ static int set_threads(struct tsim *sim, const char *text)
 		return ts_program_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s",
 					      text, "");
 	sim->threads = (int)n;
+	return 0;
+}
+
+static int set_ranks(struct tsim *sim, const char *text)
+{
+	int64_t n;
+
+	if (!ts_parse_int(text, &n) || n < 1 || n > TS_RANKS_MOST)
+		return ts_program_usage_error("expected a number from 1 to a million after -ranks, found "
+					      "'%s'%s",
+					      text, "");
+	sim->reading.ranks = (int)n;
 	return 0;
 }
 
@@ -399,6 +414,8 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 	case OPT_EXPLAIN:
 		sim->reading.explain = setup->explain = true;
 		break;
+	case OPT_RANKS:
+		return set_ranks(sim, value[0]);
 	case OPT_FULL:
 		return set_full(sim, value, n);
 	case OPT_CHECK:
@@ -435,7 +452,7 @@ static int unknown_option(const char *text)
 }
 
 /* Options that need another one. */
-static int check_together(const struct ts_setup *setup)
+static int check_together(const struct tsim *sim, const struct ts_setup *setup)
 {
 	bool left =
 		setup->vary.n || setup->replicate.n || setup->tolerance > 0 || setup->jobs || setup->results;
@@ -447,6 +464,11 @@ static int check_together(const struct ts_setup *setup)
 					      "belong to "
 					      "-plot, which is "
 					      "not given%s%s",
+					      "", "");
+	if (sim->reading.ranks && !setup->explain && !setup->check)
+		return ts_program_usage_error("-ranks belongs to -explain or -check, and neither is given; "
+					      "several "
+					      "ranks are started by mpirun -np N%s%s",
 					      "", "");
 	if (!setup->studied && left)
 		return ts_program_usage_error("-vary, -replicate, -tolerance, -j and -results belong to "
@@ -491,5 +513,5 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			return status;
 		k += n;
 	}
-	return check_together(setup);
+	return check_together(sim, setup);
 }

@@ -196,25 +196,90 @@ int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3])
 	return k[0] + blocks->count[0] * (k[1] + blocks->count[1] * k[2]);
 }
 
-bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach)
+/* Block k[d] of its part; the blocks along the dimensions that follow do not matter. */
+static bool is_near(const struct ts_rank_blocks *blocks, const int k[3], int d, double x, double reach)
+{
+	const double *face = faces_of(blocks, d, k) + k[d];
+	bool first = k[d] == 0 && !blocks->periodic[d],
+	     last = k[d] == blocks->count[d] - 1 && !blocks->periodic[d];
+
+	return (first || x >= face[0] - reach) && (last || x <= face[1] + reach);
+}
+
+static bool image_is_near(const struct ts_rank_blocks *blocks, const int k[3], int d, double x, double reach)
+{
+	double length = blocks->length[d];
+
+	return is_near(blocks, k, d, x, reach) ||
+	       (blocks->periodic[d] &&
+		(is_near(blocks, k, d, x - length, reach) || is_near(blocks, k, d, x + length, reach)));
+}
+
+static void find_block(const struct ts_rank_blocks *blocks, int rank, int k[3])
 {
 	const int *n = blocks->count;
-	const int at[3] = { rank % n[0], rank / n[0] % n[1], rank / n[0] / n[1] };
-	const double *face = faces_of(blocks, d, at) + at[d];
-	bool open[2] = { at[d] == 0 && !blocks->periodic[d], at[d] == n[d] - 1 && !blocks->periodic[d] };
 
-	return (open[0] || x >= face[0] - reach) && (open[1] || x <= face[1] + reach);
+	k[0] = rank % n[0];
+	k[1] = rank / n[0] % n[1];
+	k[2] = rank / n[0] / n[1];
+}
+
+bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach)
+{
+	int k[3];
+
+	find_block(blocks, rank, k);
+	return is_near(blocks, k, d, x, reach);
 }
 
 bool ts_rank_blocks_reach(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach)
 {
-	for (int d = 0; d < 3; d++) {
-		bool near = ts_rank_blocks_near(blocks, rank, d, x[d], reach);
+	int k[3];
 
-		for (int turn = -1; blocks->periodic[d] && !near && turn <= 1; turn += 2)
-			near = ts_rank_blocks_near(blocks, rank, d, x[d] + turn * blocks->length[d], reach);
-		if (!near)
+	find_block(blocks, rank, k);
+	for (int d = 0; d < 3; d++)
+		if (!image_is_near(blocks, k, d, x[d], reach))
 			return false;
-	}
 	return true;
+}
+
+bool ts_rank_blocks_inside(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach)
+{
+	int k[3];
+
+	find_block(blocks, rank, k);
+	for (int d = 0; d < 3; d++)
+		if (!is_near(blocks, k, d, x[d], -reach))
+			return false;
+	return true;
+}
+
+struct visitor {
+	const struct ts_rank_blocks *blocks;
+	const double *x;
+	double reach;
+	ts_rank_visit_fn *visit;
+	void *context;
+};
+
+static void visit_part(const struct visitor *v, int d, int k[3])
+{
+	const int *n = v->blocks->count;
+
+	if (d == 3) {
+		v->visit(v->context, k[0] + n[0] * (k[1] + n[1] * k[2]));
+		return;
+	}
+	for (k[d] = 0; k[d] < n[d]; k[d]++)
+		if (image_is_near(v->blocks, k, d, v->x[d], v->reach))
+			visit_part(v, d + 1, k);
+}
+
+void ts_rank_blocks_visit(const struct ts_rank_blocks *blocks, const double x[3], double reach,
+			  ts_rank_visit_fn *visit, void *context)
+{
+	const struct visitor v = { blocks, x, reach, visit, context };
+	int k[3] = { 0 };
+
+	visit_part(&v, 0, k);
 }

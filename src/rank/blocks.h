@@ -41,5 +41,12 @@ int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3])
 bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach);
 /* Whether the point, or a periodic image of it, is within `reach` of block `rank` in each dimension. */
 bool ts_rank_blocks_reach(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach);
+/* Whether the point is in block `rank`, and farther than `reach` from all its neighbours. */
+bool ts_rank_blocks_inside(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach);
+/* Calls `visit` with each block that the point, or a periodic image of it, is within `reach` of, without looking at all
+ * others. */
+typedef void ts_rank_visit_fn(void *context, int rank);
+void ts_rank_blocks_visit(const struct ts_rank_blocks *blocks, const double x[3], double reach,
+			  ts_rank_visit_fn *visit, void *context);
 
 #endif

@@ -48,6 +48,11 @@ static double distance_from(double x, int k, int n, double lo, double length, bo
 	return least;
 }
 
+static void note_visit(void *context, int rank)
+{
+	((int *)context)[rank]++;
+}
+
 START_TEST(points_belong_to_one_block_and_are_near_others)
 {
 	static const int count[3] = { 3, 2, 4 };
@@ -55,12 +60,12 @@ START_TEST(points_belong_to_one_block_and_are_near_others)
 	static const bool periodic[3] = { true, false, true };
 	struct ts_rank_blocks blocks = { .count = { 0 } };
 	struct ts_rng rng = ts_rng_start(4711, 0);
-	int near = 0;
+	int near = 0, outside = 0;
 
 	ck_assert(ts_rank_blocks_cut(&blocks, count, lo, hi, periodic));
 	for (int k = 0; k < POINTS; k++) {
 		double x[3], reach = 4e-4 * ts_rng_uniform(&rng);
-		int owner, expected = 0, factor = 1;
+		int owner, expected = 0, factor = 1, visits[24] = { 0 }, others = 0;
 
 		for (int d = 0; d < 3; d++)
 			x[d] = lo[d] + (hi[d] - lo[d]) * ts_rng_uniform(&rng);
@@ -68,6 +73,7 @@ START_TEST(points_belong_to_one_block_and_are_near_others)
 			expected += factor * (int)((x[d] - lo[d]) / (hi[d] - lo[d]) * count[d]);
 		owner = ts_rank_blocks_owner(&blocks, x);
 		ck_assert_int_eq(owner, expected);
+		ts_rank_blocks_visit(&blocks, x, reach, note_visit, visits);
 		for (int r = 0; r < 24; r++) {
 			const int at[3] = { r % 3, r / 3 % 2, r / 6 };
 			bool inside = true;
@@ -76,10 +82,17 @@ START_TEST(points_belong_to_one_block_and_are_near_others)
 				inside &= distance_from(x[d], at[d], count[d], lo[d], hi[d] - lo[d],
 							periodic[d]) <= reach;
 			ck_assert(ts_rank_blocks_reach(&blocks, r, x, reach) == inside);
+			ck_assert_int_eq(visits[r], inside);
+			others += inside && r != owner;
 			near += inside && r != owner;
 		}
+		if (ts_rank_blocks_inside(&blocks, owner, x, reach))
+			ck_assert_int_eq(others, 0);
+		else
+			outside++;
 	}
 	ck_assert_int_gt(near, POINTS / 10);
+	ck_assert_int_lt(outside, 3 * POINTS / 4);
 	ts_rank_blocks_release(&blocks);
 }
 END_TEST

@@ -1,0 +1,85 @@
+#include "particle/rank_layout.h"
+
+#include "base/sort.h"
+#include "particle/division.h"
+
+#include "base/banned.h"
+
+/* Copies of the particles seen so far. */
+struct tally {
+	struct ts_rank_layout *layout;
+	int owner;	/* of the present particle */
+	uint64_t *pair; /* of ranks: owner times ranks plus the rank of the copy */
+	size_t n, capacity;
+	enum ts_status status;
+};
+
+static void count_copy(void *context, int rank)
+{
+	struct tally *t = context;
+
+	if (rank == t->owner)
+		return;
+	t->layout->part[t->owner].sent++;
+	t->layout->part[rank].copies++;
+	if (TS_GROW(t->pair, t->capacity, t->n + 1) != TS_OK)
+		t->status = TS_NOMEM;
+	else
+		t->pair[t->n++] = (uint64_t)t->owner * (uint64_t)t->layout->ranks + (uint64_t)rank;
+}
+
+static int compare_pairs(const void *a, const void *b)
+{
+	const uint64_t *x = a, *y = b;
+
+	return (*x > *y) - (*x < *y);
+}
+
+static void count_partners(struct tally *t)
+{
+	ts_sort(t->pair, t->n, sizeof *t->pair, compare_pairs);
+	for (size_t k = 0; k < t->n; k++)
+		if (!k || t->pair[k] != t->pair[k - 1])
+			t->layout->part[t->pair[k] / (uint64_t)t->layout->ranks].partners++;
+}
+
+static enum ts_status count(const struct tsim *sim, const struct ts_rank_blocks *blocks, double cutoff,
+			    struct ts_rank_layout *layout)
+{
+	const struct ts_particles *p = sim->particles;
+	struct tally t = { .layout = layout };
+
+	for (size_t i = 0; i < p->n && t.status == TS_OK; i++) {
+		t.owner = layout->owner[i] = ts_rank_blocks_owner(blocks, p->xhold[i]);
+		layout->part[t.owner].particles++;
+		if (!ts_rank_blocks_inside(blocks, t.owner, p->xhold[i], cutoff))
+			ts_rank_blocks_visit(blocks, p->xhold[i], cutoff, count_copy, &t);
+	}
+	count_partners(&t);
+	ts_free(t.pair);
+	return t.status;
+}
+
+enum ts_status ts_rank_layout_make(struct tsim *sim, int ranks, double cutoff, struct ts_rank_layout *layout)
+{
+	struct ts_rank_blocks blocks = { .count = { 0 } };
+	enum ts_status status;
+
+	*layout = (struct ts_rank_layout){ .ranks = ranks };
+	layout->part = ts_alloc((size_t)ranks, sizeof *layout->part);
+	layout->owner = ts_alloc(sim->particles->n, sizeof *layout->owner);
+	status = layout->part && layout->owner ? ts_division_cut(sim, ranks, &blocks) : ts_nomem(&sim->error);
+	for (int d = 0; d < 3; d++)
+		layout->count[d] = blocks.count[d];
+	if (status == TS_OK && count(sim, &blocks, cutoff, layout) != TS_OK)
+		status = ts_nomem(&sim->error);
+	ts_rank_blocks_release(&blocks);
+	return status;
+}
+
+void ts_rank_layout_release(struct ts_rank_layout *layout)
+{
+	ts_free(layout->part);
+	ts_free(layout->owner);
+	*layout = (struct ts_rank_layout){ 0 };
+}

@@ -1,0 +1,77 @@
+#!/bin/bash
+# -explain -ranks N tells what ranks have and send without starting them: compared with what the logs of runs on N ranks
+# tell.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+export OMP_NUM_THREADS=1
+
+# short SCENE STEPS: a script of so many steps, without outputs, so short that the list of contacts stays
+short() {
+	sed -E '/^(run|dump|fix mean|thermo_modify)/d; s/^timestep.*/timestep 1e-8/' "$top_srcdir/tests/rank/scenes/in.$1"
+	printf 'thermo 1000\nrun %d\n' "$2"
+}
+# number NAME COLUMN: of the table of ranks in `out`
+number() {
+	awk -v name="$1" -v column="$2" '/blocks, now:$/ { table = 1 } table && index($0, "  " name) == 1 { print $(NF - 3 + column) }' out
+}
+
+short bed 12 >in.plan
+for n in 1000 64; do
+	"$TSIM" -in in.plan -explain -ranks $n -log none >out 2>&1
+	report "plan of $n ranks" $? out
+	all=$(sed -n 's/^  particles  *\([0-9]*\) of 2 types.*/\1/p' out)
+	awk -v all="$all" -v n=$n -v mean="$(number 'particles ' 2)" 'BEGIN { d = mean * n - all; exit !(all > 0 && d * d <= (0.05 * n)^2) }'
+	report "$n ranks have all particles" $? out
+done
+refused 'a style that does not work with ranks' 'fix aveforce does not work with several ranks yet (there are 3)' -explain -ranks 3 \
+	-in <(sed 's/^run.*/fix a all aveforce 0 0 0\nrun 1/' in.plan)
+"$TSIM" -in in.plan -log none -ranks 4 >out 2>&1
+[ $? = 2 ] && grep -q 'ranks are started by mpirun -np N' out
+report '-ranks without -explain' $? out
+for n in 0 -1 x 1e9; do
+	"$TSIM" -in in.plan -explain -log none -ranks $n >out 2>&1
+	[ $? = 2 ]
+	report "-ranks $n" $? out
+done
+printf 'units lj\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 1\n' >in.empty
+"$TSIM" -in in.empty -explain -ranks 5 -log none >out 2>&1 && ! grep -qi nan out
+report 'an empty box' $? out
+printf 'units lj\nprocessors 5 1 1\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 1\n' >in.empty
+refused 'blocks that do not fit' 'processors: ' -in in.empty -explain -ranks 4
+
+command -v mpirun >/dev/null && mpirun --oversubscribe --allow-run-as-root -np 2 "$TSIM" -version >version 2>&1
+if ! grep -q '.' version 2>/dev/null || grep -q 'built without MPI' version; then
+	echo 'the comparison with runs is skipped: needs openmpi-bin and a tsim built with MPI'
+	finish
+fi
+ranks() {
+	local n=$1
+	shift
+	timeout 300 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$TSIM" "$@" >out 2>&1 </dev/null
+}
+# Of runs of 2 and 12 steps with one list of contacts the difference is ten steps.
+for scene in bed gas; do
+	short $scene 2 >in.two
+	short $scene 12 >in.twelve
+	for n in 2 3 7; do
+		ranks $n -in in.two -screen none -log two
+		report "$scene: two steps on $n ranks" $? out
+		ranks $n -in in.twelve -screen none -log twelve
+		report "$scene: twelve steps on $n ranks" $? out
+		ranks $n -in in.twelve -log none -explain
+		report "$scene: plan of $n ranks" $? out
+		awk -v most="$(number 'particles ' 3)" -v copies="$(number copies 1)" -v messages="$(number messages 1)" \
+			-v bytes="$(number bytes 1)" '
+			/^Ranks:/ { differ += most != $(NF - 2) ? 1 : 0; print "most", most, $(NF - 2) }
+			/^Of the first rank:/ {
+				if (FILENAME == "two") { m = 2 * $5; b = 2 * $7; next }
+				m = (12 * $5 - m) / 10; b = (12 * $7 - b) / 10
+				print "copies", copies, $(14), "messages", messages, m, "bytes", bytes, b
+				differ += copies != $14 || (messages - m)^2 > 0.2 || (bytes - b)^2 > 1 || !(copies > 0 && bytes > 0)
+				n++
+			}
+			END { exit differ || !n }' two twelve >difference
+		report "$scene: $n ranks have and send what was planned" $? difference
+	done
+done
+finish
