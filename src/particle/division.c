@@ -430,25 +430,16 @@ enum ts_status ts_division_migrate(struct tsim *sim)
 	return status;
 }
 
-enum ts_status ts_division_agree_lost(struct tsim *sim, int64_t before)
+void ts_division_agree_lost(struct tsim *sim, int64_t before)
 {
 	struct ts_particles *p = sim->particles;
-	uint64_t *lost;
+	int64_t lost = p->lost - before;
 
 	if (!sim->division)
-		return TS_OK;
+		return;
 	p->lost_warned = ts_ranks_most(sim, p->lost_warned) > 0;
-	lost = ts_alloc((size_t)sim->world->n, sizeof *lost);
-	if (!lost)
-		return ts_nomem(&sim->error);
-	for (int r = 0; r < sim->world->n; r++)
-		lost[r] = (uint64_t)(p->lost - before);
-	sim->world->call->transpose(sim->world, lost);
-	p->lost = before;
-	for (int r = 0; r < sim->world->n; r++)
-		p->lost += (int64_t)lost[r];
-	ts_free(lost);
-	return TS_OK;
+	ts_world_sum(sim->world, &lost);
+	p->lost = before + lost;
 }
 
 /* ---- all particles on each rank, and back */

@@ -40,7 +40,7 @@ enum ts_status ts_division_let_go(struct tsim *sim);
 /* After that: moves particles and their rows to the ranks of their new positions. */
 enum ts_status ts_division_migrate(struct tsim *sim);
 /* p->lost, which was `before`, and lost_warned become the same on all ranks. */
-enum ts_status ts_division_agree_lost(struct tsim *sim, int64_t before);
+void ts_division_agree_lost(struct tsim *sim, int64_t before);
 
 /* Cuts the box into a block for each of so many ranks, with the same number of particles; by the positions at the last
  * rebuild. */

@@ -244,7 +244,7 @@ enum ts_status ts_exchange_migrate(struct tsim *sim)
 		TS_TRY(wrap_periodic(sim, dim));
 	if (!sim->run.relist && ts_exchange_some_left(sim))
 		TS_TRY(drop_lost(sim));
-	TS_TRY(ts_division_agree_lost(sim, lost));
+	ts_division_agree_lost(sim, lost);
 	fit_all_faces(sim);
 	return TS_OK;
 }

@@ -82,6 +82,7 @@ struct mpi {
 	MPI_Comm all, trouble; /* trouble: messages of ranks that have failed */
 	MPI_Request *request;  /* [capacity] */
 	size_t capacity;
+	unsigned rounds; /* deliveries so far */
 	ts_program_report_fn *report;
 	void *report_data;
 };
@@ -118,18 +119,24 @@ static void look_for_trouble(struct mpi *m)
 	abort_all(m);
 }
 
+/* Between two polls of an operation: the first rank learns of failures, and after a while others get the processor. */
+static void go_on_polling(struct mpi *m, int *spin)
+{
+	if (m->base.rank == 0 && *spin % SPINS == SPINS - 1)
+		look_for_trouble(m);
+	if (++*spin > SPINS)
+		sched_yield();
+}
+
 static void wait_for(struct mpi *m, MPI_Request *request, int n)
 {
-	int done = 0;
+	int done = 0, spin = 0;
 
-	for (int spin = 0;; spin++) {
+	for (;;) {
 		MPI_Testall(n, request, &done, MPI_STATUSES_IGNORE);
 		if (done)
 			return;
-		if (m->base.rank == 0 && spin % SPINS == SPINS - 1)
-			look_for_trouble(m);
-		if (spin > SPINS)
-			sched_yield();
+		go_on_polling(m, &spin);
 	}
 }
 
@@ -158,12 +165,12 @@ static void spread(struct ts_world *world, int from, void *bytes, size_t n)
 	}
 }
 
-static void transpose(struct ts_world *world, uint64_t *number)
+static void sum(struct ts_world *world, int64_t *number)
 {
 	struct mpi *m = (struct mpi *)world;
 	MPI_Request request;
 
-	MPI_Ialltoall(MPI_IN_PLACE, 1, MPI_UINT64_T, number, 1, MPI_UINT64_T, m->all, &request);
+	MPI_Iallreduce(MPI_IN_PLACE, number, 1, MPI_INT64_T, MPI_SUM, m->all, &request);
 	wait_for(m, &request, 1);
 }
 
@@ -195,7 +202,60 @@ static void swap(struct ts_world *world, const struct ts_parcel *out, struct ts_
 	wait_for(m, m->request, (int)n);
 }
 
-static const struct ts_world_functions functions = { most, spread, transpose, swap };
+/* Receives a message of this round, if there is one. */
+static enum ts_status receive_piece(struct mpi *m, int tag, struct ts_parcel *in)
+{
+	MPI_Status status;
+	unsigned char *to;
+	int there = 0, n = 0;
+
+	MPI_Iprobe(MPI_ANY_SOURCE, tag, m->all, &there, &status);
+	if (!there)
+		return TS_OK;
+	MPI_Get_count(&status, MPI_BYTE, &n);
+	to = ts_parcel_extend(&in[status.MPI_SOURCE], (size_t)n);
+	if (!to)
+		return TS_NOMEM;
+	MPI_Recv(to, n, MPI_BYTE, status.MPI_SOURCE, tag, m->all, MPI_STATUS_IGNORE);
+	return TS_OK;
+}
+
+/* T. Hoefler, C. Siebert, A. Lumsdaine, Scalable communication protocols for dynamic sparse data exchange, PPoPP 2010:
+ * a rank enters the barrier when all that it has sent is received, so that behind it nothing is under way. The time
+ * grows with the partners of a rank and the logarithm of the ranks. A rank may begin the next round while another one
+ * still looks for messages of this one: two tags in turn. */
+static enum ts_status deliver(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in)
+{
+	struct mpi *m = (struct mpi *)world;
+	MPI_Request barrier;
+	int tag = 1 + (int)(m->rounds++ % 2), sent = 0, inside = 0, done = 0, spin = 0;
+	size_t n = 0;
+
+	for (int r = 0; r < world->n; r++)
+		for (size_t at = 0; r != world->rank && at < out[r].n; at += PIECE) {
+			size_t piece = out[r].n - at < PIECE ? out[r].n - at : PIECE;
+
+			MPI_Issend(out[r].data + at, (int)piece, MPI_BYTE, r, tag, m->all,
+				   next_request(m, &n));
+		}
+	while (!done) {
+		if (receive_piece(m, tag, in) != TS_OK)
+			return TS_NOMEM;
+		if (inside)
+			MPI_Test(&barrier, &done, MPI_STATUS_IGNORE);
+		else
+			MPI_Testall((int)n, m->request, &sent, MPI_STATUSES_IGNORE);
+		if (sent && !inside)
+			MPI_Ibarrier(m->all, &barrier);
+		inside = sent;
+		go_on_polling(m, &spin);
+	}
+	return TS_OK;
+}
+
+static const struct ts_world_functions functions = {
+	.most = most, .spread = spread, .sum = sum, .deliver = deliver, .swap = swap
+};
 
 static bool was_started_by_launcher(void)
 {

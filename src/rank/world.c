@@ -39,6 +39,12 @@ void ts_world_most(struct ts_world *world, double *value, size_t n)
 	world->call->most(world, value, n);
 }
 
+void ts_world_sum(struct ts_world *world, int64_t *number)
+{
+	world->counts.agreements++;
+	world->call->sum(world, number);
+}
+
 void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n)
 {
 	world->counts.agreements++;
@@ -50,37 +56,29 @@ void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n)
 		world->call->spread(world, from, bytes, n);
 }
 
-void ts_world_swap(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in)
+/* Counts the parcels for other ranks. */
+static void count_parcels(struct ts_world *world, const struct ts_parcel *out)
 {
 	for (int r = 0; r < world->n; r++) {
 		world->counts.messages += r != world->rank && out[r].n;
 		world->counts.bytes += r != world->rank ? (int64_t)out[r].n : 0;
 	}
+}
+
+void ts_world_swap(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in)
+{
+	count_parcels(world, out);
 	world->call->swap(world, out, in);
 }
 
 enum ts_status ts_world_deliver(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in)
 {
-	uint64_t *size = ts_alloc((size_t)world->n, sizeof *size);
-	enum ts_status status = size ? TS_OK : TS_NOMEM;
-
-	if (!size)
-		return status;
 	for (int r = 0; r < world->n; r++)
-		size[r] = out[r].n;
-	world->counts.agreements++;
-	world->call->transpose(world, size);
-	for (int r = 0; r < world->n && status == TS_OK; r++) {
 		in[r].n = 0;
-		if (!ts_parcel_extend(&in[r], r == world->rank ? 0 : size[r]))
-			status = TS_NOMEM;
-	}
-	if (status == TS_OK)
-		ts_world_swap(world, out, in);
-	if (status == TS_OK)
-		status = ts_parcel_add(&in[world->rank], out[world->rank].data, out[world->rank].n);
-	ts_free(size);
-	return status;
+	world->counts.agreements++;
+	count_parcels(world, out);
+	TS_TRY(world->call->deliver(world, out, in));
+	return ts_parcel_add(&in[world->rank], out[world->rank].data, out[world->rank].n);
 }
 
 enum ts_status ts_world_share(struct ts_world *world, const struct ts_parcel *mine, struct ts_parcel *all)

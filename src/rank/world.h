@@ -25,8 +25,11 @@ struct ts_world_functions {
 	void (*most)(struct ts_world *world, double *value, size_t n);
 	/* The bytes of rank `from` are copied to all. */
 	void (*spread)(struct ts_world *world, int from, void *bytes, size_t n);
-	/* number[r] becomes the number that rank r has for this one. */
-	void (*transpose)(struct ts_world *world, uint64_t *number);
+	/* *number becomes the sum of those of all ranks. */
+	void (*sum)(struct ts_world *world, int64_t *number);
+	/* Sends out[r] to rank r where it is not empty, and appends what rank r has sent to in[r]: no rank knows from whom
+	 * it receives. Also out of memory: TS_NOMEM. */
+	enum ts_status (*deliver)(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
 	/* Sends out[r] to rank r and receives in[r], whose n is known on both sides; nothing where n is 0. */
 	void (*swap)(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
 };
@@ -50,6 +53,8 @@ void ts_parcel_release(struct ts_parcel *parcel);
 
 /* value[k] becomes the largest of all ranks. */
 void ts_world_most(struct ts_world *world, double *value, size_t n);
+/* *number becomes the sum of those of all ranks. */
+void ts_world_sum(struct ts_world *world, int64_t *number);
 /* The bytes of rank `from` are copied to all. */
 void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n);
 /* Sends out[r] to rank r for all r, and receives in[r], of any size; out[rank] is copied to in[rank]. */
