@@ -17,7 +17,7 @@ TS_STYLE(compute, ts_style, ts_compute_reduce)
 const struct ts_style ts_compute_reduce = {
 	.name = "reduce",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Sum, minimum, maximum or mean of per-particle or local values",
 	.doc = "Reduces values to a single number, over the particles of the group or over all rows of a "
 	       "local array (contacts, bonds): sum, minimum (min), maximum (max), mean (ave), sum and mean "

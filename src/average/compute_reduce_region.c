@@ -19,7 +19,7 @@ TS_STYLE(compute, ts_style, ts_compute_reduce_region)
 const struct ts_style ts_compute_reduce_region = {
 	.name = "reduce/region",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Sum, minimum, maximum or mean of per-particle values in a region",
 	.doc = "As compute reduce, over the particles of the group that are in the region at the time of "
 	       "evaluation.",

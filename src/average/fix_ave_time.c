@@ -346,7 +346,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_time)
 const struct ts_style ts_fix_ave_time = {
 	.name = "ave/time",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Time averages of global values",
 	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, the last "

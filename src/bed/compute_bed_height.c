@@ -141,7 +141,7 @@ TS_STYLE(compute, ts_style, ts_compute_bed_height)
 const struct ts_style ts_compute_bed_height = {
 	.name = "bed/height",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Height and porosity of a bed of particles",
 	.doc = "The space is divided into square columns along the upward direction (strips in two "
 	       "dimensions), which begin at the origin of the coordinates. The height of a column is that of "

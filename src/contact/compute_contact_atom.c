@@ -59,7 +59,7 @@ TS_STYLE(compute, ts_style, ts_compute_contact_atom)
 const struct ts_style ts_compute_contact_atom = {
 	.name = "contact/atom",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Number of contacts of each particle",
 	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance is "
 	       "less than the sum of the radii. It uses positions and radii only, so overlaps without a "

@@ -69,12 +69,15 @@ enum ts_status ts_ranks_check_systems(struct tsim *sim)
 	return TS_OK;
 }
 
-static bool stage_is_due(const struct ts_plan *plan, const struct tsim *sim, enum ts_stage stage)
+/* Whether a hook of the stage is due that needs all particles, and does not have these flags. */
+static bool stage_is_due(const struct ts_plan *plan, const struct tsim *sim, enum ts_stage stage,
+			 unsigned without)
 {
 	for (size_t k = 0; k < plan->n[stage]; k++) {
 		const struct ts_instance *self = plan->actions[stage][k].self;
 
-		if (self->style->ranks & TS_RANKS_WHOLE && (!self->style->due || self->style->due(self, sim)))
+		if (self->style->ranks & TS_RANKS_WHOLE && !(self->style->ranks & without) &&
+		    (!self->style->due || self->style->due(self, sim)))
 			return true;
 	}
 	return false;
@@ -83,8 +86,26 @@ static bool stage_is_due(const struct ts_plan *plan, const struct tsim *sim, enu
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim)
 {
 	return sim->clock.step == sim->clock.last_step || sim->requests.saving || sim->requests.stop ||
-	       sim->run.uneven || stage_is_due(plan, sim, TS_STAGE_END_OF_STEP) ||
-	       stage_is_due(plan, sim, TS_STAGE_OUTPUT);
+	       sim->run.uneven || stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, 0) ||
+	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, 0);
+}
+
+/* Any hook may evaluate a compute. */
+static bool compute_reads_lists(const struct tsim *sim)
+{
+	const struct ts_instances *computes = &sim->instances[TS_KIND_COMPUTE];
+
+	for (size_t k = 0; k < computes->n; k++)
+		if (!(computes->item[k]->style->ranks & TS_RANKS_PARTICLES))
+			return true;
+	return false;
+}
+
+bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim)
+{
+	return sim->run.complete || sim->requests.saving || sim->requests.stop || sim->run.shows_lists ||
+	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, TS_RANKS_PARTICLES) ||
+	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || compute_reads_lists(sim);
 }
 
 void ts_ranks_agree(struct tsim *sim)

@@ -40,6 +40,8 @@ enum ts_status ts_ranks_check_systems(struct tsim *sim);
 /* Whether a hook of END_OF_STEP or OUTPUT of this step needs all particles on each rank, or they are to be divided
  * again. */
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);
+/* Whether in such a step lists of pairs or contacts are needed, too. */
+bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim);
 /* After CHECK: all ranks rebuild the contact list, end or save if one of them wants it. */
 void ts_ranks_agree(struct tsim *sim);
 

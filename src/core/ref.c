@@ -82,7 +82,7 @@ static enum ts_status resolve_keyword(struct tsim *sim, const char *name, const 
 	ref->kind = TS_REF_KEYWORD;
 	ref->keyword = ts_keyword_find(sim->tables, name);
 	if (ref->keyword) {
-		sim->run.shows_contacts |= (ref->keyword->flags & TS_KEYWORD_CONTACTS) != 0;
+		ts_keyword_shows(sim, ref->keyword);
 		return TS_OK;
 	}
 	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)

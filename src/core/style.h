@@ -91,7 +91,10 @@ enum ts_rank_use {
 	 * other stages of a step. */
 	TS_RANKS_WHOLE = 2,
 	/* Fixes that act on their own particles: outputs are columns of particles, or the same on all ranks. */
-	TS_RANKS_OUTPUTS = 4
+	TS_RANKS_OUTPUTS = 4,
+	/* With TS_RANKS_WHOLE: these hooks and outputs read the columns of particles, but no lists of pairs or contacts, and
+	 * change nothing. */
+	TS_RANKS_PARTICLES = 8
 };
 
 struct ts_carrier;

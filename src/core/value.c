@@ -121,19 +121,32 @@ void ts_quantity_suggest(const struct tsim *sim, struct ts_suggest *suggest)
 			(*s)->suggest_quantity(suggest);
 }
 
-void ts_keywords_scan(struct tsim *sim, const char *text)
+void ts_keyword_shows(struct tsim *sim, const struct ts_keyword *keyword)
+{
+	sim->run.shows_contacts |= (keyword->flags & TS_KEYWORD_CONTACTS) != 0;
+	sim->run.shows_lists |= (keyword->flags & TS_KEYWORD_LISTS) != 0;
+}
+
+static void scan_words(struct tsim *sim, const char *text, const char *letters)
 {
 	char name[16];
 
 	for (size_t n; *text; text += n ? n : 1) {
 		const struct ts_keyword *keyword;
 
-		n = strspn(text, "abcdefghijklmnopqrstuvwxyz");
+		n = strspn(text, letters);
 		if (!n || n >= sizeof name)
 			continue;
 		memcpy(name, text, n);
 		name[n] = '\0';
 		keyword = ts_keyword_find(sim->tables, name);
-		sim->run.shows_contacts |= keyword && keyword->flags & TS_KEYWORD_CONTACTS;
+		if (keyword)
+			ts_keyword_shows(sim, keyword);
 	}
+}
+
+void ts_keywords_scan(struct tsim *sim, const char *text)
+{
+	scan_words(sim, text, "abcdefghijklmnopqrstuvwxyz"); /* also the name in v_name */
+	scan_words(sim, text, "abcdefghijklmnopqrstuvwxyz_");
 }

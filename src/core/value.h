@@ -61,7 +61,8 @@ enum ts_keyword_flags {
 	/* -explain: its value behind a run that is left out is known */
 	TS_KEYWORD_CLOCK = 4, /* if the number of steps of the run is known */
 	TS_KEYWORD_BOX = 8,   /* if no run changes the box */
-	TS_KEYWORD_CONSTANT = 16
+	TS_KEYWORD_CONSTANT = 16,
+	TS_KEYWORD_LISTS = 32 /* reads lists of pairs, but no forces of contacts */
 };
 
 /* A named number of a system, for thermo_style and formulas; tables are closed by .name NULL. */
@@ -72,9 +73,10 @@ struct ts_keyword {
 	int flags; /* enum ts_keyword_flags */
 	enum ts_status (*eval)(struct tsim *sim, double *out);
 };
+/* To be called when an output names the keyword: sets sim->run.shows_contacts, shows_lists. */
+void ts_keyword_shows(struct tsim *sim, const struct ts_keyword *keyword);
 const struct ts_keyword *ts_keyword_find(const struct ts_tables *tables, const char *name);
-/* Searches a script word for keywords that read forces of contacts, and sets sim->run.shows_contacts if it
- * has one. */
+/* The same for all keywords in a script word. */
 void ts_keywords_scan(struct tsim *sim, const char *text);
 
 /* Quantities of particles by script name (x, vy, radius ...), from the system that has them. */

@@ -44,7 +44,7 @@ TS_STYLE(dump, ts_style, ts_dump_atom)
 const struct ts_style ts_dump_atom = {
 	.name = "atom",
 	.kind = TS_KIND_DUMP,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
 	.summary = "Id, type and position of particles as text",
 	.doc = "As dump custom with the columns id type xs ys zs: positions are scaled from 0 to 1 across "

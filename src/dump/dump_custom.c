@@ -39,7 +39,7 @@ TS_STYLE(dump, ts_style, ts_dump_custom)
 const struct ts_style ts_dump_custom = {
 	.name = "custom",
 	.kind = TS_KIND_DUMP,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
 	.summary = "Selected quantities of particles as text, readable by OVITO",
 	.doc = "Writes a frame when the step is a multiple of N, including the first step of a run, but "

@@ -83,7 +83,7 @@ TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 const struct ts_style ts_dump_custom_vtk = {
 	.name = "custom/vtk",
 	.kind = TS_KIND_DUMP,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
 	.summary = "Particles as points with quantities for ParaView",
 	.doc = "Writes one file per frame; the ending of its name selects the format. .vtp: compressed VTK "

@@ -38,7 +38,7 @@ TS_STYLE(dump, ts_style, ts_dump_local)
 const struct ts_style ts_dump_local = {
 	.name = "local",
 	.kind = TS_KIND_DUMP,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
 	.summary = "Local arrays of computes and fixes, such as bonds and contacts, as text",
 	.doc = "All columns must have the same number of rows. Rows are sorted by the first column, then by "

@@ -53,7 +53,7 @@ TS_STYLE(dump, ts_style, ts_dump_xyz)
 const struct ts_style ts_dump_xyz = {
 	.name = "xyz",
 	.kind = TS_KIND_DUMP,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
 	.summary = "Type and position of particles in the XYZ format",
 	.doc = "Writes frames in the XYZ format: the number of particles, a line with the step, and a line "

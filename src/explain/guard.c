@@ -244,7 +244,7 @@ static const struct ts_keyword keywords[] = {
 	{ "stable_fraction", "StabFrac", "",
 	  "time step divided by the smallest current stability limit; outside of runs, that of the last "
 	  "check",
-	  0, stable_fraction },
+	  TS_KEYWORD_LISTS, stable_fraction },
 	{ .name = NULL },
 };
 

@@ -47,7 +47,7 @@ TS_STYLE(compute, ts_style, ts_compute_com)
 const struct ts_style ts_compute_com = {
 	.name = "com",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Center of mass",
 	.doc = "c_ID[1], c_ID[2] and c_ID[3] are the components of sum(m x)/sum(m) over the group, where x "
 	       "are unwrapped positions. They are 0 for an empty group.",

@@ -56,7 +56,7 @@ TS_STYLE(compute, ts_style, ts_compute_gyration)
 const struct ts_style ts_compute_gyration = {
 	.name = "gyration",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Radius of gyration of a group",
 	.doc = "Radius of gyration R of the group with the centre of mass c and unwrapped positions x:\n\n"
 	       "    R^2 = sum m (x - c)^2 / sum m\n\n"

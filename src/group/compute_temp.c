@@ -33,7 +33,7 @@ TS_STYLE(compute, ts_style, ts_compute_temp)
 const struct ts_style ts_compute_temp = {
 	.name = "temp",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Temperature of the translational motion",
 	.doc = "T = sum m v^2 / (D (N - 1) k_B) for the N particles of the group in D dimensions, where k_B "
 	       "is 1 in lj units and 1.380649e-23 in si units. It is 0 without degrees of freedom. "

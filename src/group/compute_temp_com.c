@@ -36,7 +36,7 @@ TS_STYLE(compute, ts_style, ts_compute_temp_com)
 const struct ts_style ts_compute_temp_com = {
 	.name = "temp/com",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Temperature relative to the centre of mass",
 	.doc = "As compute temp for the velocities u relative to the velocity of the centre of mass of the "
 	       "group. Multiplied by k_B / m, with m the mass of a grain, it is the granular temperature of "

@@ -71,7 +71,7 @@ TS_STYLE(compute, ts_style, ts_compute_temp_sphere)
 const struct ts_style ts_compute_temp_sphere = {
 	.name = "temp/sphere",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Temperature of translation and rotation",
 	.doc = "T = sum (m v^2 + I omega^2) / (F k_B) over the group, with k_B as in compute temp. F is the "
 	       "number of degrees of freedom, 6 of each particle less 3, in two dimensions 3 of each less 2. "

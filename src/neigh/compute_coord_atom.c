@@ -140,7 +140,7 @@ TS_STYLE(compute, ts_style, ts_compute_coord_atom)
 const struct ts_style ts_compute_coord_atom = {
 	.name = "coord/atom",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Number of particles within a cutoff of each particle",
 	.doc = "Counts, for each particle of the group, the other particles whose centres are nearer than R "
 	       "(length). With types (n, *, n*m ...) the output has a column for each, which counts partners "

@@ -187,7 +187,7 @@ TS_STYLE(compute, ts_style, ts_compute_rdf)
 const struct ts_style ts_compute_rdf = {
 	.name = "rdf",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Radial distribution function",
 	.doc = "A table with a row for each of Nbin distances. c_ID[i][1] is the middle r of bin i; two "
 	       "columns follow for each pair of types:\n\n"

@@ -76,7 +76,7 @@ TS_STYLE(compute, ts_style, ts_compute_count_type)
 const struct ts_style ts_compute_count_type = {
 	.name = "count/type",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Number of particles or bonds of each type",
 	.doc = "c_ID[k] is the number of particles of type k in the group, or of bonds of type k with both "
 	       "particles in the group.",

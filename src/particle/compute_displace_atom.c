@@ -105,7 +105,7 @@ TS_STYLE(compute, ts_style, ts_compute_displace_atom)
 const struct ts_style ts_compute_displace_atom = {
 	.name = "displace/atom",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_OWN | TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_OWN | TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Displacement of each particle",
 	.doc = "Displacement of each particle of the group from its reference position: that at the time "
 	       "when the compute was defined, or when the particle was inserted if that was later. Positions "

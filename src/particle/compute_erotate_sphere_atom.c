@@ -28,7 +28,7 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
 const struct ts_style ts_compute_erotate_sphere_atom = {
 	.name = "erotate/sphere/atom",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Rotational kinetic energy of each particle",
 	.doc = "I omega^2 / 2 with I = 0.4 m R^2 (0.5 m R^2 for discs). It is 0 if no style of the script "
 	       "makes particles rotate, and for the spheres of a clump: see compute erotate/multisphere.",

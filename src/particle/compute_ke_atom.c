@@ -28,7 +28,7 @@ TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 const struct ts_style ts_compute_ke_atom = {
 	.name = "ke/atom",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Translational kinetic energy of each particle",
 	.doc = "m v^2 / 2 of each particle of the group, without rotation (see compute erotate/sphere/atom). "
 	       "For the spheres of a clump v is the velocity of its centre of mass.",

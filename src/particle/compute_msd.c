@@ -135,7 +135,7 @@ TS_STYLE(compute, ts_style, ts_compute_msd)
 const struct ts_style ts_compute_msd = {
 	.name = "msd",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_OWN | TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_OWN | TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Mean squared displacement",
 	.doc = "Mean of (x - x0)^2 over the particles of the group. x0 is the position when the compute was "
 	       "defined, or when the particle was inserted if that was later. Positions are unwrapped. "

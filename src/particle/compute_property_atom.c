@@ -69,7 +69,7 @@ TS_STYLE(compute, ts_style, ts_compute_property_atom)
 const struct ts_style ts_compute_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Properties of each particle",
 	.doc = "Makes per-particle quantities available by name: c_ID[k] is the k-th of them, and c_ID that "
 	       "of a compute with a single one. The value is 0 for particles outside the group.",

@@ -67,7 +67,7 @@ TS_STYLE(compute, ts_style, ts_compute_vacf)
 const struct ts_style ts_compute_vacf = {
 	.name = "vacf",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_OWN | TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_OWN | TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Velocity autocorrelation function",
 	.doc = "Mean of the product v v0 over the particles of the group. v0 is the velocity when the "
 	       "compute was defined, or when the particle was inserted if that was later. Reference "

@@ -117,6 +117,12 @@ enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_
 
 	if (!to)
 		return TS_NOMEM;
+	ts_copies_write(p, i, to);
+	return TS_OK;
+}
+
+void ts_copies_write(const struct ts_particles *p, size_t i, unsigned char *to)
+{
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		const struct ts_column *c = &p->column[k];
 		size_t bytes = c->element * c->width;
@@ -126,7 +132,6 @@ enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_
 		memcpy(to, (const char *)c->data + i * bytes, bytes);
 		to += bytes;
 	}
-	return TS_OK;
 }
 
 void ts_copies_unpack(const struct ts_particles *p, size_t i, const unsigned char *from)

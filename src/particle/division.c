@@ -154,6 +154,8 @@ void ts_division_free(struct ts_division *d)
 	release_carried(d);
 	ts_free(d->carried);
 	ts_str_release(&d->said);
+	ts_parcel_release(&d->look.ghosts);
+	ts_parcel_release(&d->look.others);
 	ts_rank_blocks_release(&d->blocks);
 	ts_copies_release(&d->copies, d->ranks);
 	ts_free(d);
@@ -499,6 +501,84 @@ static void listen(struct tsim *sim, struct ts_division *d)
 	sim->log.sink_data = d;
 }
 
+/* ---- a look at all particles */
+
+/* Copies rows from .. from+n-1 of the first `columns` columns to or from `bytes`, column by column; returns the number
+ * of bytes. bytes NULL: only counts them. */
+static size_t move_rows(const struct ts_particles *p, size_t columns, size_t from, size_t n, bool out,
+			unsigned char *bytes)
+{
+	size_t at = 0;
+
+	for (size_t k = 0; k < columns; k++) {
+		const struct ts_column *c = &p->column[k];
+		size_t width = c->element * c->width;
+		char *rows = (char *)c->data + from * width;
+
+		if (!c->active)
+			continue;
+		if (bytes && out)
+			memcpy(bytes + at, rows, n * width);
+		else if (bytes)
+			memcpy(rows, bytes + at, n * width);
+		at += n * width;
+	}
+	return at;
+}
+
+static enum ts_status save_ghosts(struct tsim *sim, struct ts_look *look)
+{
+	const struct ts_particles *p = sim->particles;
+	size_t bytes = move_rows(p, p->ncolumns, p->n, p->nghost, true, NULL);
+	unsigned char *to;
+
+	look->n = p->n;
+	look->nghost = p->nghost;
+	look->columns = p->ncolumns;
+	look->ghosts.n = 0;
+	to = ts_parcel_extend(&look->ghosts, bytes);
+	if (!to)
+		return ts_nomem(&sim->error);
+	move_rows(p, look->columns, p->n, p->nghost, true, to);
+	return TS_OK;
+}
+
+static enum ts_status begin_look(struct tsim *sim, struct ts_division *d)
+{
+	struct ts_look *look = &d->look;
+	const struct ts_particles *p = sim->particles;
+	struct ts_parcel mine = { 0 };
+	enum ts_status status = save_ghosts(sim, look);
+	size_t bytes = p->n * ts_copies_row_bytes(p);
+	unsigned char *to = status == TS_OK ? ts_parcel_extend(&mine, bytes) : NULL;
+
+	for (size_t i = 0; to && i < p->n; i++, to += bytes / p->n)
+		ts_copies_write(p, i, to);
+	look->others.n = 0;
+	if (status == TS_OK)
+		status = mine.data ? ts_world_share_others(sim->world, &mine, &look->others) : TS_NOMEM;
+	status = status == TS_OK ? append_particles(sim, &look->others) : ts_nomem(&sim->error);
+	ts_parcel_release(&mine);
+	look->on = true;
+	return status;
+}
+
+static enum ts_status end_look(struct tsim *sim, struct ts_division *d)
+{
+	struct ts_look *look = &d->look;
+	struct ts_particles *p = sim->particles;
+
+	p->n = look->n;
+	p->nghost = look->nghost;
+	if (move_rows(p, look->columns, p->n, p->nghost, false, NULL) != look->ghosts.n)
+		return ts_fail(&sim->error, TS_STATE, NULL,
+			       "columns of particles have changed while all ranks had all particles");
+	move_rows(p, look->columns, p->n, p->nghost, false, look->ghosts.data);
+	sim->generation++;
+	look->on = false;
+	return TS_OK;
+}
+
 enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 {
 	struct ts_division *d;
@@ -507,6 +587,12 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 		TS_TRY(make_division(sim));
 	d = sim->particles->division;
 	ts_deferred_loops_run(sim);
+	if (d->look.on) {
+		TS_TRY(end_look(sim, d));
+		listen(sim, d);
+		sim->division = d;
+		return TS_OK;
+	}
 	TS_TRY(keep_own_particles(sim, d));
 	listen(sim, d);
 	sim->division = d;
@@ -519,8 +605,6 @@ static enum ts_status share_particles(struct tsim *sim, struct ts_division *d)
 	struct ts_parcel mine = { 0 }, all = { 0 };
 	enum ts_status status = TS_OK;
 
-	d->most = (size_t)ts_ranks_most(sim, (double)p->n);
-	d->least = (size_t)-ts_ranks_most(sim, -(double)p->n);
 	for (size_t i = 0; i < p->n && status == TS_OK; i++)
 		status = ts_copies_pack(p, i, &mine);
 	if (status == TS_OK)
@@ -566,22 +650,40 @@ static enum ts_status join_sums(struct tsim *sim)
 	return TS_OK;
 }
 
+/* Whether this rank, or another one, has so many more particles than when the blocks were cut that they should be cut
+ * again; counts the least and the most. */
+static bool blocks_are_uneven(struct tsim *sim, struct ts_division *d)
+{
+	double n[2] = { (double)sim->particles->n, -(double)sim->particles->n };
+
+	ts_world_most(sim->world, n, 2);
+	d->most = (size_t)n[0];
+	d->least = (size_t)-n[1];
+	return n[0] > UNEVEN * (double)d->cut_most + FEW;
+}
+
 enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim)
 {
 	struct ts_division *d = sim->division;
+	bool whole;
 
 	ts_deferred_loops_run(sim);
 	TS_TRY(join_sums(sim));
-	TS_TRY(give_all(sim, d, true, NULL));
-	for (size_t k = 0; k < d->ncarried; k++)
+	whole = blocks_are_uneven(sim, d) || sim->run.uneven || ts_ranks_lists_due(plan, sim);
+	if (whole)
+		TS_TRY(give_all(sim, d, true, NULL));
+	for (size_t k = 0; whole && k < d->ncarried; k++)
 		TS_TRY(keep_local_rows(sim, &d->carried[k]));
-	TS_TRY(share_particles(sim, d));
-	for (size_t k = 0; k < d->ncarried; k++)
+	TS_TRY(whole ? share_particles(sim, d) : begin_look(sim, d));
+	for (size_t k = 0; whole && k < d->ncarried; k++)
 		TS_TRY(share_rows(sim, &d->carried[k]));
 	TS_TRY(print_warnings(sim, d));
 	listen(sim, NULL);
 	sim->division = NULL;
 	d->gathered++;
+	d->listed += whole;
+	if (!whole)
+		return TS_OK;
 	TS_TRY(take_all(sim, d));
 	return remake_lists(plan, sim, d);
 }

@@ -13,6 +13,15 @@
 
 struct ts_plan;
 
+/* All ranks have all particles for a look at their columns: those of other ranks follow the own ones, in the place of the
+ * ghosts. The lists of the own particles stay; they are valid again when the ghosts are back. */
+struct ts_look {
+	bool on;
+	size_t n, nghost; /* own particles and ghosts */
+	size_t columns;	  /* numbers of the ghosts in each of the first `columns` columns that is active */
+	struct ts_parcel ghosts, others;
+};
+
 struct ts_division {
 	int ranks;
 	struct ts_rank_blocks blocks;
@@ -25,6 +34,8 @@ struct ts_division {
 	int64_t built, made; /* how often copies were made, and how many */
 	int64_t moved;	     /* particles that have come from other ranks */
 	int64_t gathered;    /* how often all ranks got all particles */
+	int64_t listed;	     /* how often contacts, too */
+	struct ts_look look;
 	size_t least, most;  /* fewest and most particles of a rank when they were gathered last */
 };
 

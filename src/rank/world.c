@@ -81,19 +81,35 @@ enum ts_status ts_world_deliver(struct ts_world *world, const struct ts_parcel *
 	return ts_parcel_add(&in[world->rank], out[world->rank].data, out[world->rank].n);
 }
 
+/* The parcel of rank r is appended to `to`, on that rank only if `own` is set. */
+static enum ts_status share_one(struct ts_world *world, int r, const struct ts_parcel *mine, bool own,
+				struct ts_parcel *to)
+{
+	uint64_t n = mine->n;
+	unsigned char *at = mine->data;
+
+	ts_world_spread(world, r, &n, sizeof n);
+	if (own || r != world->rank)
+		at = ts_parcel_extend(to, n);
+	if (!at && n)
+		return TS_NOMEM;
+	if (at != mine->data && r == world->rank && n)
+		memcpy(at, mine->data, n);
+	ts_world_spread(world, r, at, n);
+	return TS_OK;
+}
+
 enum ts_status ts_world_share(struct ts_world *world, const struct ts_parcel *mine, struct ts_parcel *all)
 {
-	for (int r = 0; r < world->n; r++) {
-		uint64_t n = mine->n;
-		unsigned char *to;
+	for (int r = 0; r < world->n; r++)
+		TS_TRY(share_one(world, r, mine, true, all));
+	return TS_OK;
+}
 
-		ts_world_spread(world, r, &n, sizeof n);
-		to = ts_parcel_extend(all, n);
-		if (!to)
-			return TS_NOMEM;
-		if (r == world->rank && n)
-			memcpy(to, mine->data, n);
-		ts_world_spread(world, r, to, n);
-	}
+enum ts_status ts_world_share_others(struct ts_world *world, const struct ts_parcel *mine,
+				     struct ts_parcel *others)
+{
+	for (int r = 0; r < world->n; r++)
+		TS_TRY(share_one(world, r, mine, false, others));
 	return TS_OK;
 }

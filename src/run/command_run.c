@@ -44,12 +44,13 @@ static void print_ranks(struct tsim *sim, int64_t steps)
 	ts_log(&sim->log,
 	       "Of the first rank: %.1f messages, %.0f bytes and %.2f agreements a step, %.0f copies of "
 	       "particles, "
-	       "%" PRId64 " particles received; all gathered %" PRId64 " times\n\n",
+	       "%" PRId64 " particles received; all gathered %" PRId64 " times, %" PRId64
+	       " of them with contacts\n\n",
 	       (double)c->messages / (double)steps, (double)c->bytes / (double)steps,
 	       (double)c->agreements / (double)steps, d->built ? (double)d->made / (double)d->built : 0,
-	       d->moved, d->gathered);
+	       d->moved, d->gathered, d->listed);
 	*c = (struct ts_world_counts){ 0 };
-	d->built = d->made = d->moved = d->gathered = 0;
+	d->built = d->made = d->moved = d->gathered = d->listed = 0;
 }
 
 static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t steps)

@@ -361,7 +361,7 @@ const struct ts_system_style ts_thermo_system = {
 			[TS_STAGE_FINISH] = finish,
 		},
 		.defers = TS_DEFERS(OUTPUT),
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 		.due = may_be_due,
 		.fini = fini,
 	},
