@@ -2,6 +2,7 @@
  * has failed, prints its message and ends all. */
 #include "program/program_ranks.h"
 
+#include <limits.h>
 #include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -165,6 +166,51 @@ static void spread(struct ts_world *world, int from, void *bytes, size_t n)
 	}
 }
 
+static void sizes(struct ts_world *world, uint64_t n, uint64_t *size)
+{
+	struct mpi *m = (struct mpi *)world;
+	MPI_Request request;
+
+	MPI_Iallgather(&n, 1, MPI_UINT64_T, size, 1, MPI_UINT64_T, m->all, &request);
+	wait_for(m, &request, 1);
+}
+
+/* Where MPI cannot count the bytes with int, they are copied from one rank after the other. */
+static void collect_one_by_one(struct ts_world *world, const void *mine, const uint64_t *size,
+			       unsigned char *all)
+{
+	for (int r = 0; r < world->n; all += size[r++]) {
+		if (r == world->rank && size[r])
+			memcpy(all, mine, size[r]);
+		spread(world, r, all, size[r]);
+	}
+}
+
+static enum ts_status collect(struct ts_world *world, const void *mine, const uint64_t *size,
+			      unsigned char *all)
+{
+	struct mpi *m = (struct mpi *)world;
+	int *n = ts_alloc(2 * (size_t)world->n, sizeof *n), *at = n ? n + world->n : NULL;
+	uint64_t end = 0;
+	MPI_Request request;
+
+	for (int r = 0; r < world->n; r++)
+		end += size[r];
+	if (n && end > INT_MAX) {
+		collect_one_by_one(world, mine, size, all);
+	} else if (n) {
+		end = 0;
+		for (int r = 0; r < world->n; end += size[r++]) {
+			n[r] = (int)size[r];
+			at[r] = (int)end;
+		}
+		MPI_Iallgatherv(mine, n[world->rank], MPI_BYTE, all, n, at, MPI_BYTE, m->all, &request);
+		wait_for(m, &request, 1);
+	}
+	ts_free(n);
+	return at ? TS_OK : TS_NOMEM;
+}
+
 static void sum(struct ts_world *world, int64_t *number)
 {
 	struct mpi *m = (struct mpi *)world;
@@ -253,9 +299,13 @@ static enum ts_status deliver(struct ts_world *world, const struct ts_parcel *ou
 	return TS_OK;
 }
 
-static const struct ts_world_functions functions = {
-	.most = most, .spread = spread, .sum = sum, .deliver = deliver, .swap = swap
-};
+static const struct ts_world_functions functions = { .most = most,
+						     .spread = spread,
+						     .sizes = sizes,
+						     .collect = collect,
+						     .sum = sum,
+						     .deliver = deliver,
+						     .swap = swap };
 
 static bool was_started_by_launcher(void)
 {

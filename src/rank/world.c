@@ -81,35 +81,53 @@ enum ts_status ts_world_deliver(struct ts_world *world, const struct ts_parcel *
 	return ts_parcel_add(&in[world->rank], out[world->rank].data, out[world->rank].n);
 }
 
-/* The parcel of rank r is appended to `to`, on that rank only if `own` is set. */
-static enum ts_status share_one(struct ts_world *world, int r, const struct ts_parcel *mine, bool own,
-				struct ts_parcel *to)
+/* Appends the parcels of all ranks; *own: where that of this rank begins in `all`. */
+static enum ts_status share(struct ts_world *world, const struct ts_parcel *mine, const uint64_t *size,
+			    struct ts_parcel *all, size_t *own)
 {
-	uint64_t n = mine->n;
-	unsigned char *at = mine->data;
+	size_t n = 0, first = all->n;
+	unsigned char *to;
 
-	ts_world_spread(world, r, &n, sizeof n);
-	if (own || r != world->rank)
-		at = ts_parcel_extend(to, n);
-	if (!at && n)
-		return TS_NOMEM;
-	if (at != mine->data && r == world->rank && n)
-		memcpy(at, mine->data, n);
-	ts_world_spread(world, r, at, n);
-	return TS_OK;
+	for (int r = 0; r < world->n; r++) {
+		if (r == world->rank)
+			*own = first + n;
+		n += size[r];
+	}
+	to = ts_parcel_extend(all, n);
+	return to ? world->call->collect(world, mine->data, size, to) : TS_NOMEM;
+}
+
+static enum ts_status find_sizes_and_share(struct ts_world *world, const struct ts_parcel *mine,
+					   struct ts_parcel *all, size_t *own)
+{
+	uint64_t *size = ts_alloc((size_t)world->n, sizeof *size);
+	enum ts_status status = TS_NOMEM;
+
+	world->counts.agreements += 2;
+	world->counts.messages++;
+	world->counts.bytes += (int64_t)mine->n;
+	if (size) {
+		world->call->sizes(world, mine->n, size);
+		status = share(world, mine, size, all, own);
+	}
+	ts_free(size);
+	return status;
 }
 
 enum ts_status ts_world_share(struct ts_world *world, const struct ts_parcel *mine, struct ts_parcel *all)
 {
-	for (int r = 0; r < world->n; r++)
-		TS_TRY(share_one(world, r, mine, true, all));
-	return TS_OK;
+	size_t own = 0;
+
+	return find_sizes_and_share(world, mine, all, &own);
 }
 
 enum ts_status ts_world_share_others(struct ts_world *world, const struct ts_parcel *mine,
 				     struct ts_parcel *others)
 {
-	for (int r = 0; r < world->n; r++)
-		TS_TRY(share_one(world, r, mine, false, others));
+	size_t own = 0;
+
+	TS_TRY(find_sizes_and_share(world, mine, others, &own));
+	others->n -= mine->n;
+	memmove(others->data + own, others->data + own + mine->n, others->n - own);
 	return TS_OK;
 }

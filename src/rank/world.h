@@ -25,6 +25,11 @@ struct ts_world_functions {
 	void (*most)(struct ts_world *world, double *value, size_t n);
 	/* The bytes of rank `from` are copied to all. */
 	void (*spread)(struct ts_world *world, int from, void *bytes, size_t n);
+	/* size[r] becomes the number of bytes that rank r has, of which this one has n. */
+	void (*sizes)(struct ts_world *world, uint64_t n, uint64_t *size);
+	/* The bytes of all ranks, size[r] of rank r, one after the other. TS_NOMEM: out of memory. */
+	enum ts_status (*collect)(struct ts_world *world, const void *mine, const uint64_t *size,
+				  unsigned char *all);
 	/* *number becomes the sum of those of all ranks. */
 	void (*sum)(struct ts_world *world, int64_t *number);
 	/* Sends out[r] to rank r where it is not empty, and appends what rank r has sent to in[r]: no rank knows from whom
