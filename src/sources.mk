@@ -119,6 +119,7 @@ library_sources = \
 	src/base/status.h \
 	src/base/str.c \
 	src/base/str.h \
+	src/base/str_real.c \
 	src/base/words.c \
 	src/base/words.h \
 	src/bed/component.c \

@@ -257,6 +257,7 @@ unit_tests = \
 	tests/automaton/check_automaton \
 	tests/average/check_block_error \
 	tests/base/check_files \
+	tests/base/check_str \
 	tests/bed/check_nearest \
 	tests/bond/check_bonds \
 	tests/bond/check_bpm \
@@ -297,6 +298,7 @@ unit_tests = \
 	tests/impact/check_impact_event \
 	tests/insert/check_insertion \
 	tests/io/check_csv \
+	tests/io/check_decimal \
 	tests/io/check_h5file \
 	tests/io/check_io \
 	tests/io/check_movie \
@@ -405,6 +407,10 @@ tests_average_check_block_error_LDADD = $(tests_ldadd)
 tests_base_check_files_SOURCES = tests/base/check_files.c
 tests_base_check_files_CFLAGS = $(tests_cflags)
 tests_base_check_files_LDADD = $(tests_ldadd)
+
+tests_base_check_str_SOURCES = tests/base/check_str.c
+tests_base_check_str_CFLAGS = $(tests_cflags)
+tests_base_check_str_LDADD = $(tests_ldadd)
 
 tests_bed_check_nearest_SOURCES = tests/bed/check_nearest.c
 tests_bed_check_nearest_CFLAGS = $(tests_cflags)
@@ -565,6 +571,10 @@ tests_insert_check_insertion_LDADD = $(tests_ldadd)
 tests_io_check_csv_SOURCES = tests/io/check_csv.c
 tests_io_check_csv_CFLAGS = $(tests_cflags)
 tests_io_check_csv_LDADD = $(tests_ldadd)
+
+tests_io_check_decimal_SOURCES = tests/io/check_decimal.c
+tests_io_check_decimal_CFLAGS = $(tests_cflags)
+tests_io_check_decimal_LDADD = $(tests_ldadd)
 
 tests_io_check_h5file_SOURCES = tests/io/check_h5file.c
 tests_io_check_h5file_CFLAGS = $(tests_cflags)

@@ -1,7 +1,6 @@
 #include "base/str.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,25 +66,19 @@ const char *ts_str_text(const struct ts_str *s)
 	return s->text ? s->text : "";
 }
 
-bool ts_parse_real(const char *text, double *out)
-{
-	char *end;
-	double value;
-
-	if (!*text || strspn(text, "0123456789+-.eE") != strlen(text))
-		return false;
-	value = strtod(text, &end);
-	if (*end || !isfinite(value))
-		return false;
-	*out = value;
-	return true;
-}
-
 bool ts_parse_int(const char *text, int64_t *out)
 {
+	enum { CERTAIN = 18 }; /* digits that do not overflow */
+	const char *p = text + (*text == '-');
 	char *end;
-	long long value;
+	long long value = 0;
 
+	for (; *p >= '0' && *p <= '9'; p++)
+		value = p - text < CERTAIN ? 10 * value + (*p - '0') : 0;
+	if (!*p && p - text <= CERTAIN && p - text > (*text == '-')) {
+		*out = *text == '-' ? -value : value;
+		return true;
+	}
 	if (!*text || strspn(text, "0123456789+-") != strlen(text))
 		return false;
 	errno = 0;

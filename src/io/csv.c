@@ -1,7 +1,6 @@
 #include "io/csv.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
@@ -60,14 +59,9 @@ void ts_csv_int(struct ts_str *row, int64_t value)
 /* The fewest digits, from 15 on, that give the same number again: 17 always do. */
 static void add_digits(struct ts_str *row, double value)
 {
-	char text[TS_DECIMAL_SIZE + 1];
+	char text[TS_DECIMAL_SIZE];
 
-	for (int digits = 15; digits <= 17; digits++) {
-		text[ts_decimal_g(value, digits, text)] = '\0';
-		if (!(strtod(text, NULL) < value) && !(strtod(text, NULL) > value))
-			break;
-	}
-	ts_str_add(row, text);
+	ts_str_add_n(row, text, ts_decimal_shortest(value, text));
 }
 
 void ts_csv_real(struct ts_str *row, double value)

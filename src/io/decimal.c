@@ -1,10 +1,13 @@
 #include "io/decimal.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "base/str.h"
 
 #include "base/banned.h"
 
@@ -240,25 +243,73 @@ static char *write_fixed(char *to, const char *digit, size_t n, int exponent)
 	return to;
 }
 
-size_t ts_decimal_g(double value, int digits, char out[TS_DECIMAL_SIZE])
+/* Writes the number of `digits` digits n, the first of which has the exponent. */
+static size_t write_digits(bool negative, uint64_t number, int digits, int exponent,
+			   char out[TS_DECIMAL_SIZE])
 {
 	char text[TS_DECIMAL_DIGITS + 1], *to = out;
 	size_t n = (size_t)digits;
-	int exponent;
 
+	digits_before(text + digits, number);
+	while (n > 1 && text[n - 1] == '0')
+		n--;
+	if (negative)
+		*to++ = '-';
+	to = exponent < -4 || exponent >= digits ? write_exponential(to, text, n, exponent)
+						 : write_fixed(to, text, n, exponent);
+	return (size_t)(to - out);
+}
+
+/* Zero, inf and nan. */
+static size_t write_special(double value, char out[TS_DECIMAL_SIZE])
+{
 	if (value == 0) {
 		memcpy(out, "-0", 2);
 		out[0] = signbit(value) ? '-' : '0';
 		return signbit(value) ? 2 : 1;
 	}
-	if (!isfinite(value))
-		return (size_t)snprintf(out, TS_DECIMAL_SIZE, "%g", value);
-	digits_before(text + digits, round_to_digits(fabs(value), digits, &exponent));
-	while (n > 1 && text[n - 1] == '0')
-		n--;
-	if (value < 0)
-		*to++ = '-';
-	to = exponent < -4 || exponent >= digits ? write_exponential(to, text, n, exponent)
-						 : write_fixed(to, text, n, exponent);
-	return (size_t)(to - out);
+	return (size_t)snprintf(out, TS_DECIMAL_SIZE, "%g", value);
+}
+
+size_t ts_decimal_g(double value, int digits, char out[TS_DECIMAL_SIZE])
+{
+	uint64_t number;
+	int exponent;
+
+	if (value == 0 || !isfinite(value))
+		return write_special(value, out);
+	number = round_to_digits(fabs(value), digits, &exponent);
+	return write_digits(value < 0, number, digits, exponent, out);
+}
+
+/* Whether a number with the 17 digits n can be that of a double which fewer digits give, the last of which counts
+ * `unit`: the nearest such number is not farther away than half a unit in the last place of the double, at most n 2^-53;
+ * a unit of the 17 digits for how they were rounded, and for that product. */
+static bool may_be_shorter(uint64_t n, uint64_t unit)
+{
+	uint64_t rest = n % unit, away = rest < unit - rest ? rest : unit - rest;
+
+	return (double)away <= (double)n * 0x1p-53 + 1;
+}
+
+size_t ts_decimal_shortest(double value, char out[TS_DECIMAL_SIZE])
+{
+	uint64_t all, unit = 100;
+	int exponent;
+
+	if (value == 0 || !isfinite(value))
+		return write_special(value, out);
+	all = round_to_digits(fabs(value), TS_DECIMAL_DIGITS, &exponent);
+	for (int digits = 15; digits < TS_DECIMAL_DIGITS; digits++, unit /= 10) {
+		double back;
+		size_t n;
+
+		if (fabs(value) >= DBL_MIN && !may_be_shorter(all, unit))
+			continue;
+		n = ts_decimal_g(value, digits, out);
+		out[n] = '\0';
+		if (ts_parse_real(out, &back) && !(back < value) && !(back > value))
+			return n;
+	}
+	return write_digits(value < 0, all, TS_DECIMAL_DIGITS, exponent, out);
 }

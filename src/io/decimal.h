@@ -11,5 +11,7 @@ enum { TS_DECIMAL_DIGITS = 17, TS_DECIMAL_SIZE = 32 };
  * zero; returns the length. */
 size_t ts_decimal_g(double value, int digits, char out[TS_DECIMAL_SIZE]);
 size_t ts_decimal_lld(long long value, char out[TS_DECIMAL_SIZE]);
+/* The shortest of %.15g, %.16g and %.17g that is read back to the same bits. */
+size_t ts_decimal_shortest(double value, char out[TS_DECIMAL_SIZE]);
 
 #endif

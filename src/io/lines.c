@@ -135,10 +135,16 @@ static enum ts_status read_line(struct ts_lines *l, bool *more)
 	}
 }
 
+#define BLANKS " \t\r\v\f"
+
+static bool is_blank(char c)
+{
+	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
+}
+
 /* Splits the line in place: the blank after each word is replaced by a zero. */
 static enum ts_status split_words(struct ts_lines *l)
 {
-	static const char blanks[] = " \t\r\v\f";
 	char *p = l->line;
 
 	l->nwords = 0;
@@ -146,16 +152,18 @@ static enum ts_status split_words(struct ts_lines *l)
 	l->hash = strchr(l->line, '#');
 	if (l->hash) {
 		*l->hash = '\0';
-		l->comment = l->hash + 1 + strspn(l->hash + 1, blanks);
+		l->comment = l->hash + 1 + strspn(l->hash + 1, BLANKS);
 	}
 	for (;;) {
-		p += strspn(p, blanks);
+		while (is_blank(*p))
+			p++;
 		if (!*p)
 			return TS_OK;
 		if (TS_GROW(l->word, l->word_capacity, l->nwords + 1) != TS_OK)
 			return ts_nomem(l->err);
 		l->word[l->nwords++] = p;
-		p += strcspn(p, blanks);
+		while (*p && !is_blank(*p))
+			p++;
 		if (!*p)
 			return TS_OK;
 		*p++ = '\0';
@@ -235,6 +243,8 @@ enum ts_status ts_lines_int(struct ts_lines *l, size_t k, const char *what, int6
 
 bool ts_lines_match(const struct ts_lines *l, size_t k, const char *text)
 {
+	if (k < l->nwords && l->word[k][0] != text[0])
+		return false;
 	for (; k < l->nwords; k++) {
 		size_t n = strlen(l->word[k]);
 

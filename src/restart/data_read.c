@@ -331,6 +331,11 @@ static enum ts_status find_atom(struct reader *r, size_t k, const char *what, in
 
 	TS_TRY(ts_lines_int(r->l, k, what, 1, LARGEST_TAG, &number));
 	wanted.tag = *tag = (int32_t)number;
+	if ((size_t)number <= r->d->n &&
+	    r->by_tag[number - 1]->tag == number) { /* ids from 1 on without gaps */
+		*out = r->by_tag[number - 1];
+		return TS_OK;
+	}
 	found = bsearch(&key, r->by_tag, r->d->n, sizeof(struct ts_data_atom *), compare_atoms);
 	if (!found)
 		return ts_lines_fail(r->l, TS_DAMAGED, k,

@@ -39,19 +39,19 @@ static double density_of(double mass, double volume)
 	return density;
 }
 
-/* The shortest of %.15g, %.16g, %.17g that is read back to the same bits. */
 static void add_number(struct ts_str *out, double value)
 {
-	char text[TS_DECIMAL_SIZE + 1];
-	double back;
+	char text[TS_DECIMAL_SIZE + 1] = " ";
 
-	for (int digits = 15; digits <= 17; digits++) {
-		text[ts_decimal_g(value, digits, text)] = '\0';
-		if (ts_parse_real(text, &back) && back == value)
-			break;
-	}
-	ts_str_add(out, " ");
-	ts_str_add(out, text);
+	ts_str_add_n(out, text, 1 + ts_decimal_shortest(value, text + 1));
+}
+
+static void add_whole(struct ts_str *out, const char *before, int value)
+{
+	char text[TS_DECIMAL_SIZE];
+
+	ts_str_add(out, before);
+	ts_str_add_n(out, text, ts_decimal_lld(value, text));
 }
 
 static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_counts counts)
@@ -79,7 +79,8 @@ static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool 
 {
 	const struct ts_particles *p = sim->particles;
 
-	ts_str_addf(out, "%d %d", p->tag[i], p->type[i]);
+	add_whole(out, "", p->tag[i]);
+	add_whole(out, " ", p->type[i]);
 	for (int k = 0; k < 2; k++) {
 		if (!k == hybrid) {
 			for (int d = 0; d < 3; d++)
@@ -91,7 +92,9 @@ static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool 
 	}
 	if (hybrid) /* molecule id */
 		ts_str_add(out, " 0");
-	ts_str_addf(out, " %d %d %d\n", p->image[i][0], p->image[i][1], p->image[i][2]);
+	for (int d = 0; d < 3; d++)
+		add_whole(out, " ", p->image[i][d]);
+	ts_str_add_n(out, "\n", 1);
 }
 
 static void add_velocity(struct ts_str *out, const struct ts_particles *p, size_t i)
@@ -99,7 +102,7 @@ static void add_velocity(struct ts_str *out, const struct ts_particles *p, size_
 	static const double zero[3];
 	const double *omega = p->omega ? p->omega[i] : zero;
 
-	ts_str_addf(out, "%d", p->tag[i]);
+	add_whole(out, "", p->tag[i]);
 	for (int d = 0; d < 6; d++)
 		add_number(out, d < 3 ? p->v[i][d] : omega[d - 3]);
 	ts_str_add(out, "\n");
@@ -145,7 +148,7 @@ static enum ts_status add_section(struct tsim *sim, const struct ts_user_columns
 	ts_str_addf(out, "\n%s\n\n", columns->title);
 	for (size_t k = 0; k < map->n; k++) {
 		ts_user_columns_get(p, columns, (size_t)map->row[k], value);
-		ts_str_addf(out, "%d", p->tag[map->row[k]]);
+		add_whole(out, "", p->tag[map->row[k]]);
 		for (size_t j = 0; j < columns->width; j++)
 			add_number(out, value[j]);
 		ts_str_add(out, "\n");
