@@ -1261,6 +1261,8 @@ library_sources = \
 	src/restart/frames.c \
 	src/restart/frames.h \
 	src/restart/frames_apply.c \
+	src/restart/pack.c \
+	src/restart/pack.h \
 	src/restart/restart.c \
 	src/restart/restart.h \
 	src/review/bond_rigidity.c \

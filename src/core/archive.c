@@ -22,8 +22,9 @@ struct field {
 struct ts_archive {
 	struct tsim *sim;
 	bool writing, sealed;
-	unsigned char *block;
+	char *block; /* that is written */
 	size_t length, capacity;
+	const unsigned char *source; /* that is read, of the caller */
 	struct field *field;
 	size_t nfields, field_capacity;
 	size_t next; /* the field behind the last one read: the search begins there */
@@ -52,7 +53,7 @@ bool ts_archive_writing(const struct ts_archive *archive)
 
 static enum ts_status append_bytes(struct ts_archive *a, const void *bytes, size_t n)
 {
-	if (TS_GROW(a->block, a->capacity, a->length + n) != TS_OK)
+	if (ts_grow_text(&a->block, &a->capacity, a->length + n) != TS_OK)
 		return ts_nomem(&a->sim->error);
 	if (n)
 		memcpy(a->block + a->length, bytes, n);
@@ -79,7 +80,7 @@ static const struct field *find_field(const struct ts_archive *a, const char *na
 	for (size_t k = 0; k < a->nfields; k++) {
 		size_t i = (a->next + k) % a->nfields;
 
-		if (ts_streq((const char *)a->block + a->field[i].name, name)) {
+		if (ts_streq((const char *)a->source + a->field[i].name, name)) {
 			*at = i;
 			return &a->field[i];
 		}
@@ -136,7 +137,7 @@ enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, en
 		return write_field(archive, name, type, data, count);
 	TS_TRY(find_field_of_size(archive, name, type, count, &field));
 	if (count)
-		memcpy(data, archive->block + field->data, count * element_size(type));
+		memcpy(data, archive->source + field->data, count * element_size(type));
 	return TS_OK;
 }
 
@@ -152,7 +153,7 @@ enum ts_status ts_archive_array(struct ts_archive *archive, const char *name, en
 	if (ts_grow(data, capacity, field->count, size) != TS_OK)
 		return ts_nomem(&archive->sim->error);
 	if (field->count)
-		memcpy(*data, archive->block + field->data, field->count * size);
+		memcpy(*data, archive->source + field->data, field->count * size);
 	*count = field->count;
 	return TS_OK;
 }
@@ -166,7 +167,7 @@ enum ts_status ts_archive_string(struct ts_archive *archive, const char *name, c
 	if (archive->writing)
 		return write_field(archive, name, TS_SAVED_U8, *text, strlen(*text) + 1);
 	TS_TRY(find_field_of_type(archive, name, TS_SAVED_U8, &field));
-	saved = (const char *)archive->block + field->data;
+	saved = (const char *)archive->source + field->data;
 	if (!field->count || strnlen(saved, field->count) != field->count - 1)
 		return ts_fail(&archive->sim->error, TS_DAMAGED, NULL,
 			       "saved state: field '%s' is not a string", name);
@@ -217,7 +218,7 @@ void ts_archive_free(struct ts_archive *archive)
 }
 
 /* crc32 takes lengths of 32 bits; crc32_z does not. */
-static uint32_t checksum(const unsigned char *bytes, size_t n)
+static uint32_t checksum(const void *bytes, size_t n)
 {
 	return (uint32_t)crc32_z(crc32_z(0, NULL, 0), bytes, n);
 }
@@ -231,7 +232,7 @@ enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char 
 		TS_TRY(append_bytes(archive, &sum, sizeof sum));
 		archive->sealed = true;
 	}
-	*bytes = archive->block;
+	*bytes = (const unsigned char *)archive->block;
 	*n = archive->length;
 	return TS_OK;
 }
@@ -265,7 +266,7 @@ static bool parse_field(const unsigned char *block, size_t *at, size_t end, stru
 
 static enum ts_status fail_damaged(struct ts_archive *a, const char *why)
 {
-	a->nfields = a->length = a->next = 0;
+	a->nfields = a->next = 0;
 	return ts_fail(&a->sim->error, TS_DAMAGED, NULL, "saved state is damaged: %s", why);
 }
 
@@ -274,10 +275,10 @@ enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *
 	size_t at = sizeof(uint32_t), end;
 	uint32_t magic, sum;
 
-	archive->length = archive->nfields = archive->next = 0;
+	archive->nfields = archive->next = 0;
+	archive->source = bytes;
 	if (n < sizeof magic + sizeof sum)
 		return fail_damaged(archive, "too short");
-	TS_TRY(append_bytes(archive, bytes, n));
 	end = n - sizeof sum;
 	memcpy(&magic, bytes, sizeof magic);
 	memcpy(&sum, bytes + end, sizeof sum);
@@ -288,7 +289,7 @@ enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *
 	while (at < end) {
 		if (TS_GROW(archive->field, archive->field_capacity, archive->nfields + 1) != TS_OK)
 			return ts_nomem(&archive->sim->error);
-		if (!parse_field(archive->block, &at, end, &archive->field[archive->nfields]))
+		if (!parse_field(bytes, &at, end, &archive->field[archive->nfields]))
 			return fail_damaged(archive, "a field does not fit into it");
 		archive->nfields++;
 	}

@@ -89,7 +89,7 @@ struct ts_archive *ts_archive_new(struct tsim *sim, bool writing); /* NULL: out 
 void ts_archive_free(struct ts_archive *archive);
 /* All fields as one block of bytes with a checksum, owned by the archive. */
 enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char **bytes, size_t *n);
-/* Makes the archive read from a copy of the block; checks checksum and format. */
+/* Makes the archive read from the block, which must exist as long as the archive; checks checksum and format. */
 enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *bytes, size_t n);
 
 #endif

@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include "box/domain.h"
@@ -14,6 +15,7 @@
 #include "io/replace.h"
 #include "io/textfile.h"
 #include "particle/particles.h"
+#include "restart/pack.h"
 
 #include "base/banned.h"
 
@@ -23,7 +25,12 @@
 #define MAGIC MAGIC_STEM "2\n"
 enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 2, MAGIC_LENGTH = sizeof MAGIC - 1 };
 enum { CLOCK_SECTION = 1000, SCRIPT_SECTION = 1001, END_SECTION = 0 };
-enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses no better */ };
+enum {
+	NNAMES = 3,
+	LONGEST_NAME = 4096,
+	LARGEST_RATIO = 1040 /* zlib compresses no better */,
+	PIECE = 1 << 18
+};
 
 static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,     TS_KIND_BOND,
 					    TS_KIND_FLOW,   TS_KIND_FIX,      TS_KIND_COMPUTE,
@@ -77,16 +84,35 @@ static enum ts_status write_bytes(struct writer *w, const void *bytes, size_t n)
 	return ts_replace_write(&w->out, bytes, n);
 }
 
-static enum ts_status write_packed(struct writer *w, struct section_head *head, const char *const names[],
-				   const unsigned char *packed)
+/* The compressed bytes of a section; their number is written before them. */
+struct packed {
+	char *bytes;
+	size_t n, capacity;
+};
+
+static enum ts_status put_packed(void *data, const void *bytes, size_t n)
 {
+	struct packed *p = data;
+
+	if (ts_grow_text(&p->bytes, &p->capacity, p->n + n) != TS_OK)
+		return TS_NOMEM;
+	memcpy(p->bytes + p->n, bytes, n);
+	p->n += n;
+	return TS_OK;
+}
+
+static enum ts_status write_packed(struct writer *w, struct section_head *head, const char *const names[],
+				   const struct packed *packed)
+{
+	head->packed = packed->n;
+	head->sum = (uint32_t)crc32_z(crc32_z(0, NULL, 0), (const unsigned char *)packed->bytes, packed->n);
 	for (int k = 0; k < NNAMES; k++)
 		head->name_length[k] = (uint32_t)strlen(names[k]);
-	head->sum = (uint32_t)crc32_z(crc32_z(0, NULL, 0), packed, (size_t)head->packed);
 	TS_TRY(write_bytes(w, head, sizeof *head));
 	for (int k = 0; k < NNAMES; k++)
 		TS_TRY(write_bytes(w, names[k], head->name_length[k]));
-	return write_bytes(w, packed, (size_t)head->packed);
+	w->sum = (uint32_t)crc32_combine(w->sum, head->sum, (z_off_t)packed->n);
+	return ts_replace_write(&w->out, packed->bytes, packed->n);
 }
 
 /* Compresses the contents of the archive and writes them as a section. */
@@ -94,25 +120,16 @@ static enum ts_status write_section(struct writer *w, uint32_t kind, const char 
 				    struct ts_archive *archive)
 {
 	struct section_head head = { .kind = kind };
+	struct packed packed = { 0 };
 	const unsigned char *bytes;
-	unsigned char *packed;
 	enum ts_status status;
-	uLongf length;
 	size_t n;
 
 	TS_TRY(ts_archive_bytes(archive, &bytes, &n));
-	length = compressBound((uLong)n);
-	packed = ts_alloc(length, 1);
-	if (!packed)
-		return ts_nomem(&w->sim->error);
-	if (compress2(packed, &length, bytes, (uLong)n, Z_BEST_SPEED) != Z_OK) {
-		status = ts_nomem(&w->sim->error);
-	} else {
-		head.plain = n;
-		head.packed = length;
-		status = write_packed(w, &head, names, packed);
-	}
-	ts_free(packed);
+	head.plain = n;
+	status = ts_pack(bytes, n, put_packed, &packed) == TS_OK ? write_packed(w, &head, names, &packed)
+								 : ts_nomem(&w->sim->error);
+	ts_free(packed.bytes);
 	return status;
 }
 
@@ -208,7 +225,7 @@ enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct
 struct section {
 	struct section_head head;
 	char *name[NNAMES];   /* style, id, group */
-	unsigned char *plain; /* uncompressed bytes */
+	unsigned char *plain; /* uncompressed bytes; freed once they are restored */
 };
 
 struct reader {
@@ -216,8 +233,10 @@ struct reader {
 	const char *path;
 	const struct ts_place *where;
 	struct ts_arena arena;
-	unsigned char *bytes;	/* the file */
-	size_t n, at, capacity; /* its length, current position */
+	FILE *file;
+	uint64_t left;	      /* a section cannot have more bytes */
+	uint32_t sum;	      /* crc32 of all bytes read so far */
+	unsigned char *piece; /* of a section */
 	struct section *section;
 	size_t nsections, section_capacity;
 	size_t system; /* index in the table of systems: the first that is not yet restored */
@@ -228,46 +247,29 @@ static enum ts_status refuse_file(struct reader *r, const char *why)
 	return ts_fail(&r->sim->error, TS_DAMAGED, r->where, "restart file '%s' %s", r->path, why);
 }
 
-static enum ts_status load_stream(struct reader *r, FILE *file)
+static enum ts_status read_failed(struct reader *r)
 {
-	size_t got;
+	return ts_fail(&r->sim->error, TS_IO, r->where, "reading '%s' failed: %s", r->path, strerror(errno));
+}
 
-	do {
-		if (r->sim->requests.stop)
-			return ts_fail(&r->sim->error, TS_STOPPED, r->where,
-				       "stopped on request while '%s' was read", r->path);
-		if (TS_GROW(r->bytes, r->capacity, r->n + (1u << 16)) != TS_OK)
-			return ts_nomem(&r->sim->error);
-		got = fread(r->bytes + r->n, 1, r->capacity - r->n, file);
-		r->n += got;
-	} while (got);
-	if (ferror(file))
-		return ts_fail(&r->sim->error, TS_IO, r->where, "reading '%s' failed: %s", r->path,
-			       strerror(errno));
+/* Reads n bytes, without counting them in the checksum of the file. */
+static enum ts_status read_raw(struct reader *r, void *to, size_t n)
+{
+	if (r->sim->requests.stop)
+		return ts_fail(&r->sim->error, TS_STOPPED, r->where, "stopped on request while '%s' was read",
+			       r->path);
+	if (fread(to, 1, n, r->file) == n)
+		return TS_OK;
+	if (ferror(r->file))
+		return read_failed(r);
+	return refuse_file(r, "is cut off");
+}
+
+static enum ts_status read_bytes(struct reader *r, void *to, size_t n)
+{
+	TS_TRY(read_raw(r, to, n));
+	r->sum = (uint32_t)crc32_z(r->sum, to, n);
 	return TS_OK;
-}
-
-static enum ts_status load_file(struct reader *r)
-{
-	FILE *file = ts_files_open(&r->sim->files, r->path, "r");
-	enum ts_status status;
-
-	if (!file)
-		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s", r->path,
-			       ts_files_why(&r->sim->files));
-	status = load_stream(r, file);
-	fclose(file);
-	return status;
-}
-
-static bool read_bytes(struct reader *r, void *to, size_t n)
-{
-	if (n > r->n - r->at)
-		return false;
-	if (n)
-		memcpy(to, r->bytes + r->at, n);
-	r->at += n;
-	return true;
 }
 
 static enum ts_status refuse_version(struct reader *r, const char *text)
@@ -282,13 +284,17 @@ static enum ts_status check_start(struct reader *r)
 {
 	char magic[MAGIC_LENGTH + 1] = "", *version = magic + sizeof MAGIC_STEM - 1;
 	uint32_t mark[2];
+	size_t n;
 
-	if (!read_bytes(r, magic, MAGIC_LENGTH) || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
+	n = fread(magic, 1, MAGIC_LENGTH, r->file);
+	if (ferror(r->file))
+		return read_failed(r);
+	r->sum = (uint32_t)crc32_z(r->sum, (const unsigned char *)magic, n);
+	if (n < MAGIC_LENGTH || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
 		return refuse_file(r, "is not a restart file of tsim");
 	if (version[0] < '1' || version[0] > '0' + VERSION || version[1] != '\n')
 		return refuse_version(r, version);
-	if (!read_bytes(r, mark, sizeof mark))
-		return refuse_file(r, "is cut off");
+	TS_TRY(read_bytes(r, mark, sizeof mark));
 	if (mark[0] != BYTE_ORDER_MARK)
 		return refuse_file(r, "was written by a machine with another byte order, or is damaged");
 	if (mark[1] != (uint32_t)(version[0] - '0'))
@@ -306,64 +312,80 @@ static enum ts_status read_names(struct reader *r, struct section *s)
 		s->name[k] = ts_arena_alloc(&r->arena, length + 1, 1);
 		if (!s->name[k])
 			return ts_nomem(&r->sim->error);
-		if (!read_bytes(r, s->name[k], length))
-			return refuse_file(r, "is cut off");
+		TS_TRY(read_bytes(r, s->name[k], length));
+	}
+	return TS_OK;
+}
+
+/* Reads the compressed bytes to their end, also if they are damaged: their checksum tells first. */
+static enum ts_status unpack(struct reader *r, const struct section *s, struct ts_unpack *u, uint32_t *sum)
+{
+	size_t left = (size_t)s->head.packed, n;
+
+	for (; left; left -= n) {
+		n = left < PIECE ? left : PIECE;
+		TS_TRY(read_raw(r, r->piece, n));
+		*sum = (uint32_t)crc32_z(*sum, r->piece, n);
+		ts_unpack_piece(u, r->piece, n);
 	}
 	return TS_OK;
 }
 
 static enum ts_status decompress(struct reader *r, struct section *s)
 {
-	const unsigned char *packed = r->bytes + r->at;
-	uLongf length = (uLongf)s->head.plain;
+	uint32_t sum = (uint32_t)crc32_z(0, NULL, 0);
+	enum ts_status status;
+	struct ts_unpack *u;
+	bool whole;
 
-	if (s->head.packed > r->n - r->at)
+	if (s->head.packed > r->left)
 		return refuse_file(r, "is cut off");
-	r->at += (size_t)s->head.packed;
-	if ((uint32_t)crc32_z(crc32_z(0, NULL, 0), packed, (size_t)s->head.packed) != s->head.sum)
-		return refuse_file(r, "is damaged: the checksum of a section is wrong");
 	if (s->head.plain / LARGEST_RATIO > s->head.packed)
 		return refuse_file(r, "is damaged: a section has an impossible size");
-	s->plain = ts_arena_alloc(&r->arena, (size_t)s->head.plain, 1);
-	if (!s->plain)
+	s->plain = ts_alloc((size_t)s->head.plain, 1);
+	u = s->plain ? ts_unpack_begin(s->plain, (size_t)s->head.plain) : NULL;
+	if (!u)
 		return ts_nomem(&r->sim->error);
-	if (uncompress(s->plain, &length, packed, (uLong)s->head.packed) != Z_OK || length != s->head.plain)
+	status = unpack(r, s, u, &sum);
+	whole = ts_unpack_end(u);
+	TS_TRY(status);
+	if (sum != s->head.sum)
+		return refuse_file(r, "is damaged: the checksum of a section is wrong");
+	if (!whole)
 		return refuse_file(r, "is damaged: a section cannot be expanded");
+	r->sum = (uint32_t)crc32_combine(r->sum, sum, (z_off_t)s->head.packed);
 	return TS_OK;
 }
 
-static enum ts_status check_end(struct reader *r)
+/* `before`: the checksum of all bytes before the end mark. */
+static enum ts_status check_end(struct reader *r, uint32_t before)
 {
-	size_t before = r->at - sizeof(uint32_t);
 	uint32_t sum;
 
-	/* the checksum is over all bytes before the end mark, which has been read */
-	if (!read_bytes(r, &sum, sizeof sum))
-		return refuse_file(r, "is cut off");
-	if (r->at != r->n)
+	TS_TRY(read_bytes(r, &sum, sizeof sum));
+	if (getc(r->file) != EOF)
 		return refuse_file(r, "is damaged: there are data after its end");
-	if (sum != (uint32_t)crc32_z(crc32_z(0, NULL, 0), r->bytes, before))
+	if (sum != before)
 		return refuse_file(r, "is damaged: its checksum is wrong");
 	return TS_OK;
 }
 
 static enum ts_status read_sections(struct reader *r)
 {
-	uint32_t kind;
+	struct section_head head;
 
 	for (;;) {
+		uint32_t before = r->sum;
 		struct section *s;
 
-		if (!read_bytes(r, &kind, sizeof kind))
-			return refuse_file(r, "is cut off");
-		if (kind == END_SECTION)
-			return check_end(r);
+		TS_TRY(read_bytes(r, &head.kind, sizeof head.kind));
+		if (head.kind == END_SECTION)
+			return check_end(r, before);
 		if (TS_GROW(r->section, r->section_capacity, r->nsections + 1) != TS_OK)
 			return ts_nomem(&r->sim->error);
+		TS_TRY(read_bytes(r, (char *)&head + sizeof head.kind, sizeof head - sizeof head.kind));
 		s = &r->section[r->nsections++];
-		r->at -= sizeof kind;
-		if (!read_bytes(r, &s->head, sizeof s->head))
-			return refuse_file(r, "is cut off");
+		s->head = head;
 		TS_TRY(read_names(r, s));
 		TS_TRY(decompress(r, s));
 	}
@@ -451,8 +473,11 @@ static enum ts_status restore_section(struct reader *r, const struct section *s)
 static enum ts_status restore_all(struct reader *r)
 {
 	TS_TRY(restore_clock(r));
-	for (size_t k = 1; k < r->nsections; k++)
+	for (size_t k = 1; k < r->nsections; k++) {
 		TS_TRY(restore_section(r, &r->section[k]));
+		ts_free(r->section[k].plain);
+		r->section[k].plain = NULL;
+	}
 	return ts_sim_has_box(r->sim) ? TS_OK : refuse_file(r, "is damaged: it has no simulation box");
 }
 
@@ -464,16 +489,35 @@ static void discard_state(struct tsim *sim)
 	ts_unclaimed_free(sim);
 }
 
-static enum ts_status read_file(struct reader *r)
+static enum ts_status read_stream(struct reader *r)
 {
-	TS_TRY(load_file(r));
+	struct stat info;
+
+	r->left = UINT64_MAX; /* what sections of a pipe have cannot be known */
+	if (fileno(r->file) >= 0 && fstat(fileno(r->file), &info) == 0 && S_ISREG(info.st_mode))
+		r->left = (uint64_t)info.st_size;
 	TS_TRY(check_start(r));
 	return read_sections(r);
 }
 
+static enum ts_status read_file(struct reader *r)
+{
+	enum ts_status status;
+
+	r->file = ts_files_open(&r->sim->files, r->path, "r");
+	if (!r->file)
+		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s", r->path,
+			       ts_files_why(&r->sim->files));
+	r->piece = ts_alloc(PIECE, 1);
+	status = r->piece ? read_stream(r) : ts_nomem(&r->sim->error);
+	ts_free(r->piece);
+	fclose(r->file);
+	return status;
+}
+
 enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct ts_place *where)
 {
-	struct reader r = { .sim = sim, .path = path, .where = where };
+	struct reader r = { .sim = sim, .path = path, .where = where, .sum = (uint32_t)crc32_z(0, NULL, 0) };
 	enum ts_status status;
 
 	if (ts_sim_has_box(sim))
@@ -482,8 +526,9 @@ enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct 
 	status = read_file(&r);
 	if (status == TS_OK && (status = restore_all(&r)) != TS_OK)
 		discard_state(sim);
+	for (size_t k = 0; k < r.nsections; k++)
+		ts_free(r.section[k].plain);
 	ts_arena_release(&r.arena);
-	ts_free(r.bytes);
 	ts_free(r.section);
 	return status;
 }

@@ -1,0 +1,142 @@
+#include "restart/pack.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <zlib.h>
+
+#include "base/alloc.h"
+
+#include "base/banned.h"
+
+/* Bytes. PIECE: for which it is decided at once; SAMPLE: of it that are compressed to decide; ROOM: of the output.
+ * A piece is worth compressing if its sample becomes shorter by 1 / WORTH: real numbers of random digits lose a tenth, at a
+ * tenth of the speed of a disk. MOST_ROOM: what zlib takes in one call. */
+enum { PIECE = 1 << 18, SAMPLE = 1 << 12, ROOM = 1 << 18, WORTH = 6, MOST_ROOM = 1 << 30 };
+
+static bool is_worth_it(const unsigned char *bytes, size_t n)
+{
+	unsigned char room[SAMPLE];
+	size_t size = n < SAMPLE ? n : SAMPLE;
+	uLongf length = (uLongf)(size - size / WORTH);
+
+	if (n < SAMPLE)
+		return true;
+	return compress2(room, &length, bytes + (n - size) / 2, (uLong)size, Z_BEST_SPEED) == Z_OK;
+}
+
+struct packer {
+	z_stream zip;
+	unsigned char *room;
+	enum ts_status (*put)(void *data, const void *bytes, size_t n);
+	void *data;
+};
+
+static enum ts_status empty_room(struct packer *p)
+{
+	size_t n = ROOM - p->zip.avail_out;
+	enum ts_status status = n ? p->put(p->data, p->room, n) : TS_OK;
+
+	p->zip.next_out = p->room;
+	p->zip.avail_out = ROOM;
+	return status;
+}
+
+/* Pieces of one kind are one run of the compressor; in between it is emptied. */
+static enum ts_status set_level(struct packer *p, int level)
+{
+	while (deflateParams(&p->zip, level, Z_DEFAULT_STRATEGY) == Z_BUF_ERROR)
+		TS_TRY(empty_room(p));
+	return TS_OK;
+}
+
+static enum ts_status pack_piece(struct packer *p, const unsigned char *bytes, size_t n, bool last)
+{
+	int code;
+
+	p->zip.next_in = (z_const Bytef *)(uintptr_t)bytes;
+	p->zip.avail_in = (uInt)n;
+	do {
+		if (!p->zip.avail_out)
+			TS_TRY(empty_room(p));
+		code = deflate(&p->zip, last ? Z_FINISH : Z_NO_FLUSH);
+	} while (last ? code != Z_STREAM_END : p->zip.avail_in > 0);
+	return last ? empty_room(p) : TS_OK;
+}
+
+static enum ts_status pack_pieces(struct packer *p, const unsigned char *bytes, size_t n)
+{
+	size_t at = 0, size;
+	bool worth, was = true;
+
+	do {
+		size = n - at < PIECE ? n - at : PIECE;
+		worth = is_worth_it(bytes + at, size);
+		if (worth != was)
+			TS_TRY(set_level(p, worth ? Z_BEST_SPEED : Z_NO_COMPRESSION));
+		was = worth;
+		TS_TRY(pack_piece(p, bytes + at, size, at + size == n));
+		at += size;
+	} while (at < n);
+	return TS_OK;
+}
+
+enum ts_status ts_pack(const unsigned char *bytes, size_t n,
+		       enum ts_status (*put)(void *data, const void *bytes, size_t n), void *data)
+{
+	struct packer p = { .put = put, .data = data, .room = ts_alloc(ROOM, 1) };
+	enum ts_status status = TS_NOMEM;
+
+	if (p.room && deflateInit(&p.zip, Z_BEST_SPEED) == Z_OK) {
+		p.zip.next_out = p.room;
+		p.zip.avail_out = ROOM;
+		status = pack_pieces(&p, bytes, n);
+		deflateEnd(&p.zip);
+	}
+	ts_free(p.room);
+	return status;
+}
+
+struct ts_unpack {
+	z_stream zip;
+	size_t left; /* bytes that do not fit into zip.avail_out */
+	int code;
+};
+
+struct ts_unpack *ts_unpack_begin(void *to, size_t n)
+{
+	struct ts_unpack *u = ts_alloc(1, sizeof *u);
+
+	if (!u || inflateInit(&u->zip) != Z_OK) {
+		ts_free(u);
+		return NULL;
+	}
+	u->zip.next_out = to;
+	u->left = n;
+	return u;
+}
+
+void ts_unpack_piece(struct ts_unpack *u, const void *bytes, size_t n)
+{
+	if (u->code == Z_STREAM_END && n)
+		u->code = Z_DATA_ERROR;
+	u->zip.next_in = (z_const Bytef *)(uintptr_t)bytes;
+	u->zip.avail_in = (uInt)n;
+	while (u->code == Z_OK && u->zip.avail_in) {
+		if (!u->zip.avail_out) {
+			u->zip.avail_out = u->left < MOST_ROOM ? (uInt)u->left : MOST_ROOM;
+			u->left -= u->zip.avail_out;
+		}
+		u->code = inflate(&u->zip, Z_NO_FLUSH); /* Z_BUF_ERROR: there are more than n bytes */
+	}
+	if (u->zip.avail_in)
+		u->code = Z_DATA_ERROR;
+}
+
+bool ts_unpack_end(struct ts_unpack *u)
+{
+	bool whole = u->code == Z_STREAM_END && !u->left && !u->zip.avail_out;
+
+	inflateEnd(&u->zip);
+	ts_free(u);
+	return whole;
+}
