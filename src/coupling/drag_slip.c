@@ -12,17 +12,6 @@
 
 const char *const ts_drag_axes[] = { "x", "y", "z", "xy", "xz", "yz", "xyz", NULL };
 
-static double local_void_fraction(const struct ts_drag *s, const double place[3], const int cell[3])
-{
-	const struct ts_fluid *fluid = s->fluid;
-
-	if (!isnan(s->fraction))
-		return s->fraction;
-	if (s->interpolation == TS_INTERPOLATE_CELL)
-		return fluid->void_fraction[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
-	return ts_fluid_value(fluid, fluid->void_fraction, place, NULL);
-}
-
 static double weighted_mean(double wa, double wb, double a, double b)
 {
 	return (wa * a + wb * b) / (wa + wb);
@@ -50,28 +39,40 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 	}
 }
 
+/* Velocity of the computed fluid at x, and its void fraction (NULL: not asked for); false: outside. */
+static bool fluid_at(const struct ts_drag *s, const double x[3], double u[3], double *empty)
+{
+	const struct ts_fluid *fluid = s->fluid;
+	double place[3];
+	int cell[3];
+
+	if (!ts_coupling_locate(fluid, x, place, cell))
+		return false;
+	if (s->interpolation != TS_INTERPOLATE_CELL) {
+		ts_fluid_velocity_in_cell(fluid, place, cell, u, empty ? fluid->void_fraction : NULL, empty);
+		return true;
+	}
+	cell_velocity(fluid, cell, u);
+	if (empty)
+		*empty = fluid->void_fraction[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
+	return true;
+}
+
 bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
 		     struct ts_slip *slip, double w[3])
 {
 	const struct ts_drag *s = self->state;
-	double place[3];
-	int cell[3];
+	const bool looks = ts_drag_style_of(self)->crowded && isnan(s->fraction);
 
-	if (!s->fluid) {
+	slip->empty = ts_drag_style_of(self)->crowded ? s->fraction : 1;
+	if (!s->fluid)
 		ts_flow_style_of(s->flow)->velocity(s->flow, p->x[i], w);
-	} else {
-		if (!ts_coupling_locate(s->fluid, p->x[i], place, cell))
-			return false;
-		if (s->interpolation == TS_INTERPOLATE_CELL)
-			cell_velocity(s->fluid, cell, w);
-		else
-			ts_fluid_velocity(s->fluid, place, w);
-	}
+	else if (!fluid_at(s, p->x[i], w, looks ? &slip->empty : NULL))
+		return false;
 	for (int k = 0; k < 3; k++)
 		w[k] -= p->v[i][k];
 	slip->diameter = 2 * p->radius[i];
 	slip->speed = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-	slip->empty = ts_drag_style_of(self)->crowded ? local_void_fraction(s, place, cell) : 1;
 	return true;
 }
 

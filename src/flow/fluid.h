@@ -217,6 +217,9 @@ void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field);
 /* Velocity at x: each component is interpolated trilinearly between its points; exact at boundary faces
  * with their conditions. A place outside the grid gets the velocity of the nearest place in it. */
 void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3]);
+/* The same at a place in the grid whose cell is known, and the value of a centred field (NULL: none). */
+void ts_fluid_velocity_in_cell(const struct ts_fluid *fluid, const double x[3], const int cell[3],
+			       double u[3], const double *field, double *value);
 /* Value of a centred field at x, interpolated likewise, and its gradient (NULL: not computed). */
 double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const double x[3],
 		      double gradient[3]);

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "base/inline.h"
+
 #include "base/banned.h"
 
 /* Up to three neighbouring points along an axis, from `first` on. */
@@ -74,19 +76,24 @@ static struct stencil tangential_stencil(const struct ts_fluid *fluid, int d, in
 	return at_centres(grid, d, i, x);
 }
 
+/* Two neighbouring points along an axis and the weights of their values: all that most places need. */
+struct points {
+	ptrdiff_t first; /* in a field */
+	double weight[2];
+};
+
 /* The most frequent sum of those below. */
-static inline double sum_eight(const struct ts_grid *grid, const double *field,
-			       const struct stencil *const s[3])
+TS_INLINE double sum_eight(const struct ts_grid *grid, const double *field, const struct points *x,
+			   const struct points *y, const struct points *z)
 {
-	const double *x = s[0]->weight, *y = s[1]->weight, *z = s[2]->weight;
-	const double *row = field + ts_at(grid, s[0]->first, s[1]->first, s[2]->first);
+	const double *row = field + (ptrdiff_t)grid->origin + x->first + y->first + z->first;
 	const ptrdiff_t sy = grid->stride[1], sz = grid->stride[2];
 	double sum = 0;
 
-	sum += z[0] * y[0] * (x[0] * row[0] + x[1] * row[1]);
-	sum += z[0] * y[1] * (x[0] * row[sy] + x[1] * row[sy + 1]);
-	sum += z[1] * y[0] * (x[0] * row[sz] + x[1] * row[sz + 1]);
-	sum += z[1] * y[1] * (x[0] * row[sy + sz] + x[1] * row[sy + sz + 1]);
+	sum += z->weight[0] * y->weight[0] * (x->weight[0] * row[0] + x->weight[1] * row[1]);
+	sum += z->weight[0] * y->weight[1] * (x->weight[0] * row[sy] + x->weight[1] * row[sy + 1]);
+	sum += z->weight[1] * y->weight[0] * (x->weight[0] * row[sz] + x->weight[1] * row[sz + 1]);
+	sum += z->weight[1] * y->weight[1] * (x->weight[0] * row[sy + sz] + x->weight[1] * row[sy + sz + 1]);
 	return sum;
 }
 
@@ -98,8 +105,6 @@ static double sum_stencil(const struct ts_grid *grid, const double *field, const
 	const double *w[3];
 	double sum = 0;
 
-	if (derived < 0 && s[0]->n == 2 && s[1]->n == 2 && s[2]->n == 2)
-		return sum_eight(grid, field, s);
 	for (int d = 0; d < 3; d++)
 		w[d] = d == derived ? s[d]->slope : s[d]->weight;
 	for (int k = 0; k < s[2]->n; k++)
@@ -115,17 +120,36 @@ static double sum_stencil(const struct ts_grid *grid, const double *field, const
 	return sum;
 }
 
-void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3])
+TS_INLINE struct points two_points(const struct ts_grid *grid, int d, const double *point, int low, double x)
+{
+	double gap = point[low + 1] - point[low], t = (x - point[low]) / gap;
+
+	return (struct points){ low * grid->stride[d], { 1 - t, t } };
+}
+
+/* Whether there are two points along axis d at x for all components: not in two dimensions, nor between a wall and the
+ * first point inside. */
+TS_INLINE bool has_two_points(const struct ts_fluid *fluid, int d, double x)
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	if (grid->ghosts[d] == 0)
+		return false;
+	return grid->periodic[d] ||
+	       ((x >= grid->centre[d][0] || !gives_tangential_velocity(fluid->face[d][TS_LOW])) &&
+		(x <= grid->centre[d][grid->n[d] - 1] ||
+		 !gives_tangential_velocity(fluid->face[d][TS_HIGH])));
+}
+
+static void velocity_by_stencils(const struct ts_fluid *fluid, const double x[3], const int cell[3],
+				 double u[3])
 {
 	const struct ts_grid *grid = &fluid->grid;
 	struct stencil normal[3], tangential[3];
 
 	for (int d = 0; d < 3; d++) {
-		double at = wrap_or_clamp(grid, d, x[d]);
-		int i = ts_grid_find(grid, d, at);
-
-		tangential[d] = tangential_stencil(fluid, d, i, at);
-		normal[d] = grid->ghosts[d] ? linear_stencil(grid->face[d], i, at) : tangential[d];
+		tangential[d] = tangential_stencil(fluid, d, cell[d], x[d]);
+		normal[d] = grid->ghosts[d] ? linear_stencil(grid->face[d], cell[d], x[d]) : tangential[d];
 	}
 	for (int c = 0; c < 3; c++) {
 		const struct stencil *s[3] = { &tangential[0], &tangential[1], &tangential[2] };
@@ -133,6 +157,44 @@ void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u
 		s[c] = &normal[c];
 		u[c] = sum_stencil(grid, fluid->u[c], s, -1);
 	}
+}
+
+/* The stencils of which velocity_by_stencils takes the sums are those of two points, and the sums have the same order. */
+void ts_fluid_velocity_in_cell(const struct ts_fluid *fluid, const double x[3], const int cell[3],
+			       double u[3], const double *field, double *value)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	struct points centre[3], face[3];
+
+	for (int d = 0; d < 3; d++) {
+		const double *point = grid->centre[d];
+
+		if (!has_two_points(fluid, d, x[d])) {
+			velocity_by_stencils(fluid, x, cell, u);
+			if (field)
+				*value = ts_fluid_value(fluid, field, x, NULL);
+			return;
+		}
+		centre[d] = two_points(grid, d, point, x[d] < point[cell[d]] ? cell[d] - 1 : cell[d], x[d]);
+		face[d] = two_points(grid, d, grid->face[d], cell[d], x[d]);
+	}
+	u[0] = sum_eight(grid, fluid->u[0], &face[0], &centre[1], &centre[2]);
+	u[1] = sum_eight(grid, fluid->u[1], &centre[0], &face[1], &centre[2]);
+	u[2] = sum_eight(grid, fluid->u[2], &centre[0], &centre[1], &face[2]);
+	if (field)
+		*value = sum_eight(grid, field, &centre[0], &centre[1], &centre[2]);
+}
+
+void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3])
+{
+	double place[3];
+	int cell[3];
+
+	for (int d = 0; d < 3; d++) {
+		place[d] = wrap_or_clamp(&fluid->grid, d, x[d]);
+		cell[d] = ts_grid_find(&fluid->grid, d, place[d]);
+	}
+	ts_fluid_velocity_in_cell(fluid, place, cell, u, NULL, NULL);
 }
 
 double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const double x[3],
