@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/inline.h"
 #include "geom/ball_corner.h"
 #include "math/constants.h"
 
@@ -101,48 +102,15 @@ static void corner_volumes(const struct span s[3], bool disc, double z, layer ou
 					 : ts_ball_corner(s[0].face[i], s[1].face[j], z);
 }
 
-enum { FEW = 2 }; /* cells along an axis */
-
-static double few_difference(double a[FEW + 1][FEW + 1], int i, int j)
-{
-	return a[j][i] - a[j][i + 1] - a[j + 1][i] + a[j + 1][i + 1];
-}
-
 static double cell_difference(double (*a)[TS_VOLUME_MAX_CELLS + 2], int i, int j)
 {
 	return a[j][i] - a[j][i + 1] - a[j + 1][i] + a[j + 1][i + 1];
-}
-
-/* At most two cells along each axis, as for particles smaller than cells. */
-static void distribute_over_few(const struct span s[3], double unit, const struct visitor *to)
-{
-	const double cut[3] = { s[0].face[1], s[1].face[1], s[2].face[1] };
-	const bool cuts[3] = { s[0].n > 1, s[1].n > 1, s[2].n > 1 };
-	double corner[8], layers[3][FEW + 1][FEW + 1] = { 0 };
-
-	ts_ball_corners(cut, cuts, corner);
-	for (int k = 0; k < s[2].n; k++)
-		for (int j = 0; j < s[1].n; j++)
-			for (int i = 0; i < s[0].n; i++)
-				layers[k][j][i] = corner[i + 2 * j + 4 * k];
-	for (int k = 0; k < s[2].n; k++)
-		for (int j = 0; j < s[1].n; j++)
-			for (int i = 0; i < s[0].n; i++) {
-				double part =
-					few_difference(layers[k], i, j) - few_difference(layers[k + 1], i, j);
-
-				add_to_cell(s, i, j, k, fmax(part, 0) * unit, to);
-			}
 }
 
 static void distribute_exactly(const struct span s[3], bool disc, double unit, const struct visitor *to)
 {
 	layer layers[2];
 
-	if (!disc && s[0].n <= FEW && s[1].n <= FEW && s[2].n <= FEW) {
-		distribute_over_few(s, unit, to);
-		return;
-	}
 	corner_volumes(s, disc, s[2].face[0], layers[0]);
 	for (int k = 0; k < s[2].n; k++) {
 		double(*low)[TS_VOLUME_MAX_CELLS + 2] = layers[k % 2];
@@ -187,6 +155,88 @@ static void span_one_cell(int d, struct span s[3])
 	s[d].face[1] = 1;
 }
 
+/* ---- exact volumes of a particle that overlaps at most two cells along each axis, as those smaller than cells do */
+
+/* One or two cells along an axis, and the face between them as in struct span. */
+struct few {
+	int cell[2];
+	bool two;
+	double cut;
+};
+
+/* The cells of find_cell_range and find_images, and the same bits; false: there are more than two. */
+TS_INLINE bool find_few(const struct ts_grid *grid, int d, double x, int cell, double reach, struct few *few)
+{
+	const int n = grid->n[d];
+	const bool periodic = grid->periodic[d];
+	double low = grid->face[d][cell] - x, high;
+	int first = cell;
+
+	if (low > -reach && (periodic || first > 0)) {
+		low -= cell_width(grid, d, --first);
+		if (low > -reach && (periodic || first > 0))
+			return false;
+	}
+	low += cell_width(grid, d, first);
+	few->two = low < reach && (periodic || first + 1 < n);
+	few->cell[0] = first < 0 ? first + n : first;
+	few->cell[1] = few->cell[0] + 1 < n ? few->cell[0] + 1 : 0;
+	few->cut = 0;
+	if (!few->two)
+		return true;
+	few->cut = low / reach;
+	high = low + cell_width(grid, d, first + 1);
+	return !(high < reach && (periodic || first + 2 < n));
+}
+
+/* Part of the ball in cell i, j, k of two along each axis; corners without a plane are 0. */
+TS_INLINE double part_of_corners(const double corner[8], int i, int j, int k)
+{
+	double beyond[2] = { 0 };
+
+	for (int side = 0; side < 2 && k + side < 2; side++) {
+		const double *at = corner + 4 * (k + side);
+		double beside = i == 0 ? at[1 + 2 * j] : 0, above = j == 0 ? at[i + 2] : 0;
+
+		beyond[side] = at[i + 2 * j] - beside - above + (i == 0 && j == 0 ? at[3] : 0);
+	}
+	return beyond[0] - beyond[1];
+}
+
+TS_INLINE void distribute_over_few(const struct few few[3], double unit, ts_coupling_volume_fn *visit,
+				   void *context)
+{
+	const double cut[3] = { few[0].cut, few[1].cut, few[2].cut };
+	const bool cuts[3] = { few[0].two, few[1].two, few[2].two };
+	double corner[8] = { 0 };
+
+	ts_ball_corners(cut, cuts, corner);
+#pragma GCC unroll 8
+	for (int m = 0; m < 8; m++) {
+		const int i = m & 1, j = m >> 1 & 1, k = m >> 2;
+		const int cell[3] = { few[0].cell[i], few[1].cell[j], few[2].cell[k] };
+
+		if (i <= few[0].two && j <= few[1].two && k <= few[2].two)
+			visit(context, cell, fmax(part_of_corners(corner, i, j, k), 0) * unit);
+	}
+}
+
+/* False: it overlaps more cells, or is a disc. */
+TS_INLINE bool divide_over_few(const struct ts_grid *grid, const struct ts_coupling_volume *how,
+			       const double place[3], const int cell[3], double radius,
+			       ts_coupling_volume_fn *visit, void *context)
+{
+	struct few few[3];
+
+	if (how->method != TS_VOLUME_DIVIDED || how->disc)
+		return false;
+	for (int d = 0; d < 3; d++)
+		if (grid->ghosts[d] == 0 || !find_few(grid, d, place[d], cell[d], radius, &few[d]))
+			return false;
+	distribute_over_few(few, radius * radius * radius, visit, context);
+	return true;
+}
+
 void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how,
 				  const double place[3], const int cell[3], double radius,
 				  ts_coupling_volume_fn *visit, void *context)
@@ -201,6 +251,8 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 		visit(context, cell, volume);
 		return;
 	}
+	if (divide_over_few(grid, how, place, cell, radius, visit, context))
+		return;
 	for (int d = 0; d < 3; d++) {
 		if (grid->ghosts[d] == 0)
 			span_one_cell(d, s);
@@ -232,5 +284,6 @@ void ts_coupling_volume_add(const struct ts_grid *grid, const struct ts_coupling
 {
 	struct sum sum = { grid, fraction };
 
-	ts_coupling_volume_each_cell(grid, how, place, cell, radius, add_fraction, &sum);
+	if (!divide_over_few(grid, how, place, cell, radius, add_fraction, &sum))
+		ts_coupling_volume_each_cell(grid, how, place, cell, radius, add_fraction, &sum);
 }
