@@ -359,6 +359,7 @@ library_sources = \
 	src/core/value.h \
 	src/coupling/added_mass.c \
 	src/coupling/added_mass.h \
+	src/coupling/axis_points.h \
 	src/coupling/cell_order.c \
 	src/coupling/cell_order.h \
 	src/coupling/coupling_force.c \
@@ -388,6 +389,8 @@ library_sources = \
 	src/coupling/fix_lift_saffman.c \
 	src/coupling/fix_lubrication.c \
 	src/coupling/fix_void_fraction.c \
+	src/coupling/interpolation_faces.c \
+	src/coupling/interpolation_faces.h \
 	src/coupling/interpolation_weights.c \
 	src/coupling/interpolation_weights.h \
 	src/coupling/outside_grid.c \

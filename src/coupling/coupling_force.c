@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "coupling/interpolation_faces.h"
 #include "coupling/outside_grid.h"
 #include "particle/particles.h"
 
@@ -106,16 +107,13 @@ static void add_reaction(void *data, size_t i)
 {
 	const struct context *context = data;
 	struct ts_fluid *fluid = context->force->fluid;
-	struct ts_coupling_weights weights[3];
-	double place[3];
-	int cell[3];
+	const struct ts_coupling_reaction reaction = { context->force->total.note[i],
+						       NULL,
+						       { true, true, true } };
+	struct ts_coupling_place at = { .how = TS_INTERPOLATE_LINEAR };
 
-	if (!ts_coupling_locate(fluid, context->particles->x[i], place, cell))
-		return;
-	ts_coupling_weights_faces(fluid, place, cell, TS_INTERPOLATE_LINEAR, weights);
-	for (int c = 0; c < fluid->grid.dimensions; c++)
-		ts_coupling_distribute_force(&fluid->grid, &weights[c], c, fluid->u[c],
-					     context->force->total.note[i][c], 0, fluid->force[c], NULL);
+	if (ts_coupling_locate(fluid, context->particles->x[i], at.x, at.cell))
+		ts_coupling_faces_react(fluid, &at, &reaction, NULL);
 }
 
 enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct tsim *sim)

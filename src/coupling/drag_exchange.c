@@ -5,6 +5,7 @@
 
 #include "coupling/drag_exchange.h"
 #include "coupling/drag_slip.h"
+#include "coupling/interpolation_faces.h"
 #include "flow/projection.h"
 #include "particle/particles.h"
 
@@ -24,21 +25,14 @@ static void add_reaction(void *context, size_t i)
 	struct tsim *sim = ((struct tsim **)context)[1];
 	struct ts_drag *s = self->state;
 	struct ts_fluid *fluid = s->fluid;
-	struct ts_coupling_weights weights[3];
-	double place[3];
-	int cell[3];
+	struct ts_coupling_place at = { .how = (enum ts_coupling_interpolation)s->interpolation };
+	const struct ts_coupling_reaction reaction = { s->total.note[i],
+						       s->lagged ? NULL : s->exchange[i].slope,
+						       { ts_drag_acts_along(s, 0), ts_drag_acts_along(s, 1),
+							 ts_drag_acts_along(s, 2) } };
 
-	if (!ts_coupling_locate(fluid, sim->particles->x[i], place, cell))
-		return;
-	ts_coupling_weights_faces(fluid, place, cell, (enum ts_coupling_interpolation)s->interpolation,
-				  weights);
-	for (int c = 0; c < fluid->grid.dimensions; c++)
-		if (ts_drag_acts_along(s, c))
-			s->exchange[i].fluid_velocity[c] =
-				ts_coupling_distribute_force(&fluid->grid, &weights[c], c, fluid->u[c],
-							     s->total.note[i][c], s->exchange[i].slope[c],
-							     fluid->force[c],
-							     s->lagged ? NULL : fluid->exchange[c]);
+	if (ts_coupling_locate(fluid, sim->particles->x[i], at.x, at.cell))
+		ts_coupling_faces_react(fluid, &at, &reaction, s->exchange[i].fluid_velocity);
 }
 
 enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
@@ -58,23 +52,19 @@ static void correct_particle(const struct ts_instance *self, const struct tsim *
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
-	struct ts_coupling_weights weights[3];
-	double place[3], more[3] = { 0 };
+	struct ts_coupling_place at = { .how = (enum ts_coupling_interpolation)s->interpolation };
+	double later[3], more[3] = { 0 };
 	const double *slope = s->exchange[i].slope;
-	int cell[3];
 
 	if (slope[0] == 0 && slope[1] == 0 && slope[2] == 0)
 		return;
-	if (!ts_coupling_locate(fluid, p->x[i], place, cell))
+	if (!ts_coupling_locate(fluid, p->x[i], at.x, at.cell))
 		return;
-	ts_coupling_weights_faces(fluid, place, cell, (enum ts_coupling_interpolation)s->interpolation,
-				  weights);
+	ts_coupling_faces_interpolate(fluid, &at, fluid->exchange_velocity, later);
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
 		if (slope[c] == 0)
 			continue;
-		more[c] = slope[c] *
-			  (ts_coupling_interpolate(&fluid->grid, &weights[c], fluid->exchange_velocity[c]) -
-			   s->exchange[i].fluid_velocity[c]);
+		more[c] = slope[c] * (later[c] - s->exchange[i].fluid_velocity[c]);
 		s->total.note[i][c] += more[c];
 	}
 	ts_restraints_apply(&s->restraints, sim, i, more);

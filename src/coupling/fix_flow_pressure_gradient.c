@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/review.h"
+#include "coupling/interpolation_faces.h"
 #include "coupling/volume_distribution.h"
 #include "flow/projection.h"
 #include "force/restraint.h"
@@ -78,17 +79,19 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 	const struct state *s = self->state;
 	const struct ts_fluid *fluid = s->force.fluid;
 	double volume = ts_particle_volume(sim, sim->particles->radius[i]);
-	struct ts_coupling_weights weights[3];
+	struct ts_coupling_place at = { .how = (enum ts_coupling_interpolation)s->how };
+	double gradient[3];
 
 	(void)torque;
 	if (s->how == BY_VOLUME) {
 		force_by_volume(s, sim, i, around->place, around->cell, fluid->p, f);
 		return;
 	}
-	ts_coupling_weights_faces(fluid, around->place, around->cell, (enum ts_coupling_interpolation)s->how,
-				  weights);
+	memcpy(at.x, around->place, sizeof at.x);
+	memcpy(at.cell, around->cell, sizeof at.cell);
+	ts_coupling_faces_gradient(fluid, &at, fluid->p, gradient);
 	for (int c = 0; c < fluid->grid.dimensions; c++)
-		f[c] = -volume * ts_coupling_interpolate_gradient(&fluid->grid, &weights[c], c, fluid->p);
+		f[c] = -volume * gradient[c];
 }
 
 /* ---- correction by the pressure of the step, which is known after it */

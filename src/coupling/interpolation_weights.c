@@ -1,18 +1,13 @@
 #include "coupling/interpolation_weights.h"
 
 #include "base/inline.h"
+#include "coupling/axis_points.h"
 
 #include "base/banned.h"
 
 const char *const ts_coupling_interpolation_names[] = { "linear", "cell", NULL };
 
-/* Two points along an axis, and the weight of the second. */
-struct axis_points {
-	int low, high;
-	double share;
-};
-
-TS_INLINE void set_axis(struct ts_coupling_weights *out, int d, const struct axis_points *points)
+TS_INLINE void set_axis(struct ts_coupling_weights *out, int d, const struct ts_axis_points *points)
 {
 	out->index[d][0] = points->low;
 	out->index[d][1] = points->high;
@@ -20,40 +15,12 @@ TS_INLINE void set_axis(struct ts_coupling_weights *out, int d, const struct axi
 	out->weight[d][1] = points->share;
 }
 
-/* Along an axis on which the points are cell centres. */
-TS_INLINE struct axis_points along_centres(const struct ts_grid *grid, int d, double x, int cell,
-					   enum ts_coupling_interpolation how)
-{
-	const double *centre = grid->centre[d];
-	int n = grid->n[d], low = x < centre[cell] ? cell - 1 : cell;
-	struct axis_points out;
-
-	if (how == TS_INTERPOLATE_CELL || grid->ghosts[d] == 0)
-		return (struct axis_points){ cell, cell, 0 };
-	out.share = (x - centre[low]) / (centre[low + 1] - centre[low]);
-	out.low = low >= 0 ? low : grid->periodic[d] ? n - 1 : 0;
-	out.high = low + 1 < n ? low + 1 : grid->periodic[d] ? 0 : n - 1;
-	return out;
-}
-
-/* Along the axis of the component, on which the points are faces. */
-TS_INLINE struct axis_points along_faces(const struct ts_grid *grid, int d, double x, int cell,
-					 enum ts_coupling_interpolation how)
-{
-	int n = grid->n[d], last = grid->periodic[d] || n == 1 ? 0 : n - 1;
-	bool first = cell == 0 && !grid->periodic[d] && n > 1;
-
-	return (struct axis_points){ first ? 1 : cell, cell == n - 1 ? last : cell + 1,
-				     how == TS_INTERPOLATE_CELL
-					     ? 0.5
-					     : (x - grid->face[d][cell]) / grid->width[d][cell] };
-}
-
 void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place[3], const int cell[3],
 				enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
 {
 	for (int d = 0; d < 3; d++) {
-		struct axis_points points = along_centres(&fluid->grid, d, place[d], cell[d], how);
+		struct ts_axis_points points =
+			ts_axis_points_centres(&fluid->grid, d, place[d], cell[d], how);
 
 		set_axis(out, d, &points);
 	}
@@ -63,12 +30,14 @@ void ts_coupling_weights_faces(const struct ts_fluid *fluid, const double place[
 			       enum ts_coupling_interpolation how, struct ts_coupling_weights out[3])
 {
 	for (int d = 0; d < 3; d++) {
-		struct axis_points centres = along_centres(&fluid->grid, d, place[d], cell[d], how);
+		struct ts_axis_points centres =
+			ts_axis_points_centres(&fluid->grid, d, place[d], cell[d], how);
 
 		for (int c = 0; c < 3; c++)
 			set_axis(&out[c], d, &centres);
 		if (fluid->grid.ghosts[d]) {
-			struct axis_points faces = along_faces(&fluid->grid, d, place[d], cell[d], how);
+			struct ts_axis_points faces =
+				ts_axis_points_faces(&fluid->grid, d, place[d], cell[d], how);
 
 			set_axis(&out[d], d, &faces);
 		}
