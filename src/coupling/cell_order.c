@@ -46,7 +46,7 @@ static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, cons
 static void find_cells(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid)
 {
 	const struct ts_particles *p = sim->particles;
-	const int *n = fluid->grid.n;
+	const int *n = fluid->grid.n, most = 1 << TS_CELL_BITS;
 
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
@@ -54,8 +54,14 @@ static void find_cells(struct ts_cell_sort *sort, const struct tsim *sim, const 
 		int cell[3];
 
 		sort->cell[i] = -1;
-		if (ts_coupling_locate(fluid, p->x[i], place, cell))
-			sort->cell[i] = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
+		sort->where[i] = TS_CELL_ELSEWHERE;
+		if (!ts_coupling_locate(fluid, p->x[i], place, cell))
+			continue;
+		sort->cell[i] = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
+		if (memcmp(place, p->x[i], sizeof place) == 0 && cell[0] < most && cell[1] < most &&
+		    cell[2] < most)
+			sort->where[i] = (uint64_t)cell[0] | (uint64_t)cell[1] << TS_CELL_BITS |
+					 (uint64_t)cell[2] << 2 * TS_CELL_BITS;
 	}
 }
 
@@ -97,6 +103,7 @@ static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, co
 
 	if (TS_GROW(sort->row, sort->row_capacity, n) != TS_OK ||
 	    TS_GROW(sort->cell, sort->cell_capacity, n) != TS_OK ||
+	    TS_GROW(sort->where, sort->where_capacity, n) != TS_OK ||
 	    TS_GROW(sort->last, sort->last_capacity, n) != TS_OK ||
 	    TS_GROW(sort->start, sort->start_capacity, ncells + 2) != TS_OK) {
 		sort->nlast = SIZE_MAX;
@@ -156,6 +163,7 @@ void ts_cell_order_release(struct ts_cell_order *order)
 {
 	ts_free(order->own.row);
 	ts_free(order->own.cell);
+	ts_free(order->own.where);
 	ts_free(order->own.start);
 	ts_free(order->own.last);
 	ts_free(order->slab);

@@ -7,14 +7,16 @@
 #ifndef TS_COUPLING_CELL_ORDER_H
 #define TS_COUPLING_CELL_ORDER_H
 
+#include "coupling/interpolation_weights.h"
 #include "flow/fluid.h"
 
 /* All particles of the simulation in the fluid, sorted. */
 struct ts_cell_sort {
 	/* indices of particles, sorted; cell of each particle, or -1. Owned, as the arrays below */
 	int32_t *row, *cell;
-	size_t *start; /* of each cell: its first index in `row` */
-	size_t n;      /* number of particles in the fluid */
+	uint64_t *where; /* the same as three numbers: ts_cell_order_locate */
+	size_t *start;	 /* of each cell: its first index in `row` */
+	size_t n;	 /* number of particles in the fluid */
 	/* The state that was sorted: if nothing has changed, it is not sorted again. */
 	struct ts_cell_sorted {
 		double x[3];
@@ -22,7 +24,7 @@ struct ts_cell_sort {
 	} * last; /* [nlast] */
 	size_t nlast;
 	uint64_t grid; /* hash of the grid: another fluid may have the memory of the one before */
-	size_t row_capacity, cell_capacity, start_capacity, last_capacity;
+	size_t row_capacity, cell_capacity, where_capacity, start_capacity, last_capacity;
 };
 
 /* Zero-initialise; ts_cell_order_release when done. A fix that sets `order` of struct ts_flow_part in its init shares
@@ -43,6 +45,26 @@ struct ts_cell_order {
 enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, const struct ts_fluid *fluid,
 				  int group, int reach);
 void ts_cell_order_release(struct ts_cell_order *order);
+
+/* The cells of a particle along the three axes in one number; TS_CELL_ELSEWHERE: it is not found at its own coordinates,
+ * but across a periodic face, or not at all. */
+enum { TS_CELL_BITS = 20 };
+#define TS_CELL_ELSEWHERE (UINT64_C(1) << 63)
+
+/* ts_coupling_locate for particle i, after ts_cell_order_make, while nothing moves. */
+static inline bool ts_cell_order_locate(const struct ts_cell_order *order, const struct ts_fluid *fluid,
+					const double x[3], size_t i, double place[3], int cell[3])
+{
+	const uint64_t where = order->sort->where[i], mask = (UINT64_C(1) << TS_CELL_BITS) - 1;
+
+	if (where & TS_CELL_ELSEWHERE)
+		return ts_coupling_locate(fluid, x, place, cell);
+	for (int d = 0; d < 3; d++) {
+		place[d] = x[d];
+		cell[d] = (int)(where >> TS_CELL_BITS * d & mask);
+	}
+	return true;
+}
 
 /* Calls `add` for each particle of the group, in parallel for particles that add to different cells. */
 typedef void ts_cell_order_fn(void *context, size_t row);

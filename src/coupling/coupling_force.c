@@ -112,7 +112,7 @@ static void add_reaction(void *data, size_t i)
 						       { true, true, true } };
 	struct ts_coupling_place at = { .how = TS_INTERPOLATE_LINEAR };
 
-	if (ts_coupling_locate(fluid, context->particles->x[i], at.x, at.cell))
+	if (ts_cell_order_locate(&context->force->order, fluid, context->particles->x[i], i, at.x, at.cell))
 		ts_coupling_faces_react(fluid, &at, &reaction, NULL);
 }
 

@@ -31,7 +31,7 @@ static void add_reaction(void *context, size_t i)
 						       { ts_drag_acts_along(s, 0), ts_drag_acts_along(s, 1),
 							 ts_drag_acts_along(s, 2) } };
 
-	if (ts_coupling_locate(fluid, sim->particles->x[i], at.x, at.cell))
+	if (ts_cell_order_locate(&s->order, fluid, sim->particles->x[i], i, at.x, at.cell))
 		ts_coupling_faces_react(fluid, &at, &reaction, s->exchange[i].fluid_velocity);
 }
 

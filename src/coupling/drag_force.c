@@ -235,18 +235,22 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 
 /* ---- schemes exact and implicit, after all other forces */
 
-/* Drag of one component for the sum f of the other forces; sets *slope to B. */
-static double drag_component(int scheme, double c, double w, double f, double mass, double h, double *slope)
+/* B of one drag with the coefficient c, on a particle on which other forces act. */
+static double drag_slope(int scheme, double c, double mass, double h)
 {
 	double rate = c / mass;
 
-	*slope = c;
+	if (!(c > 0))
+		return c;
+	return scheme == TS_DRAG_EXACT ? mass * -expm1(-h * rate) / h : c / (1 + h * rate);
+}
+
+/* Its component for the sum f of the other forces. */
+static double drag_component(int scheme, double c, double slope, double w, double f, double mass, double h)
+{
 	if (!(c > 0))
 		return c * w;
-	*slope = scheme == TS_DRAG_EXACT ? mass * -expm1(-h * rate) / h : c / (1 + h * rate);
-	if (scheme == TS_DRAG_EXACT)
-		return *slope * (w + f / c) - f;
-	return *slope * (w - h * f / mass);
+	return scheme == TS_DRAG_EXACT ? slope * (w + f / c) - f : slope * (w - h * f / mass);
 }
 
 /* Combines several drags on one particle into one with the coefficient C = sum c and the fluid velocity
@@ -256,6 +260,7 @@ static void combine_drags(const struct ts_drag *first, const struct tsim *sim, s
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_drag_combined *combined = &first->combined[i];
+	double mass = ts_drag_mass(first, sim, i);
 	int scheme = TS_DRAG_EXACT;
 	bool some = false;
 
@@ -277,8 +282,8 @@ static void combine_drags(const struct ts_drag *first, const struct tsim *sim, s
 			}
 		if (c == 0)
 			continue;
-		force = drag_component(scheme, c, cw / c, p->f[i][k], ts_drag_mass(first, sim, i),
-				       sim->clock.dt, &slope);
+		slope = drag_slope(scheme, c, mass, sim->clock.dt);
+		force = drag_component(scheme, c, slope, cw / c, p->f[i][k], mass, sim->clock.dt);
 		combined->slip[k] = (force - cw) / c;
 		combined->part[k] = slope / c;
 		combined->c[k] = c;
@@ -305,6 +310,7 @@ static void relax_particle(const struct ts_instance *self, struct tsim *sim, siz
 	const struct ts_drag_combined *combined = s->nlate > 1 ? &s->late[0]->combined[i] : NULL;
 	double force[3] = { 0 }, part[3] = { 1, 1, 1 }, mass = ts_drag_mass(s, sim, i), h = sim->clock.dt;
 	double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
+	double alone = combined ? 0 : drag_slope(s->scheme, mine->c, mass, h);
 
 	if (s->part.after_step && s->restraints.n)
 		unrestrained_fractions(s, sim, i, part);
@@ -317,8 +323,8 @@ static void relax_particle(const struct ts_instance *self, struct tsim *sim, siz
 			force[k] = mine->c * (mine->w[k] + combined->slip[k]);
 			slope = mine->c * combined->part[k];
 		} else {
-			force[k] =
-				drag_component(s->scheme, mine->c, mine->w[k], p->f[i][k], mass, h, &slope);
+			slope = alone;
+			force[k] = drag_component(s->scheme, mine->c, slope, mine->w[k], p->f[i][k], mass, h);
 		}
 		if (s->part.after_step)
 			s->exchange[i].slope[k] =

@@ -55,7 +55,7 @@ static void add_particle(void *data, size_t i)
 	double place[3];
 	int cell[3];
 
-	if (ts_coupling_locate(c->state->fluid, p->x[i], place, cell))
+	if (ts_cell_order_locate(&c->state->order, c->state->fluid, p->x[i], i, place, cell))
 		ts_coupling_volume_add(&c->state->fluid->grid, &how, place, cell, p->radius[i],
 				       c->state->fluid->void_fraction);
 }

@@ -160,14 +160,15 @@ static void wrap_periodic(const struct ts_grid *grid, double *field, const struc
 {
 	int d = plane->d, n = grid->n[d], g = grid->ghosts[d];
 	ptrdiff_t s = grid->stride[d];
+	const bool simple = g <= n; /* no image of an image */
 
 	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
 		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
 			double *at = field + plane_offset(grid, plane, ia, ib);
 
 			for (int k = 1; k <= g; k++) {
-				at[-k * s] = at[(((-k) % n + n) % n) * s];
-				at[(n - 1 + k) * s] = at[((k - 1) % n) * s];
+				at[-k * s] = at[(simple ? n - k : ((-k) % n + n) % n) * s];
+				at[(n - 1 + k) * s] = at[(simple ? k - 1 : (k - 1) % n) * s];
 			}
 		}
 }
