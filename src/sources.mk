@@ -704,6 +704,8 @@ library_sources = \
 	src/immersed/immersed_conflicts.c \
 	src/immersed/immersed_distance.c \
 	src/immersed/immersed_points.c \
+	src/immersed/immersed_record.c \
+	src/immersed/immersed_record.h \
 	src/immersed/immersed_resolution.c \
 	src/immersed/solid.c \
 	src/immersed/solid.h \

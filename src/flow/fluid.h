@@ -166,6 +166,8 @@ struct ts_flow_part {
 	/* How the volume of a particle is distributed over the cells, for e; NULL: the fix does not set e. */
 	void (*volume_distribution)(const struct ts_instance *self, const struct tsim *sim,
 				    struct ts_coupling_volume *how);
+	/* Set by `force`: it has changed no velocity on which those in ghost cells depend. */
+	bool keeps_ghosts;
 	/* The particles as the fix sorts them by cells, for the fixes after it (coupling/cell_order.h); NULL:
 	 * it does not. */
 	struct ts_cell_order *order;

@@ -45,7 +45,7 @@ static void swap_fields(double *a[3], double *b[3])
 static enum ts_status apply_part_forces(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
 {
 	struct ts_instance *part;
-	bool any = false;
+	bool fill = false;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
@@ -53,9 +53,9 @@ static enum ts_status apply_part_forces(struct tsim *sim, struct ts_fluid *fluid
 		if (!flow_part->force)
 			continue;
 		TS_TRY(flow_part->force(part, sim, fluid, time, dt));
-		any = true;
+		fill |= !flow_part->keeps_ghosts;
 	}
-	if (any)
+	if (fill)
 		ts_fluid_fill_velocity(fluid, fluid->u);
 	return TS_OK;
 }

@@ -9,6 +9,7 @@
 #include "force/restraint.h"
 #include "immersed/closed_regions.h"
 #include "immersed/immersed.h"
+#include "immersed/immersed_record.h"
 #include "immersed/virtual_mass_stabilization.h"
 #include "math/exactsum.h"
 #include "math/vec3.h"
@@ -24,14 +25,7 @@
 
 enum { REGION, MESH, SURFACE, SPHERES };
 
-/* Data of a part from the last step of the fluid. */
-struct record {
-	double force[3], torque[3];  /* of the fluid on the part */
-	double velocity[3], spin[3]; /* of the fluid inside (struct ts_immersed_sums) */
-	double known;		     /* 0: nothing is set; INSIDE: velocity and spin; 1: all */
-};
-static const double INSIDE = 0.5;
-enum { RECORD = sizeof(struct record) / sizeof(double) };
+enum { RECORD = sizeof(struct ts_immersed_record) / sizeof(double) };
 
 struct state {
 	struct ts_flow_part part; /* first */
@@ -55,25 +49,26 @@ struct state {
 	size_t seen_inside; /* number of points inside at that search */
 	const struct ts_fluid *fluid;
 	bool begun;			       /* a step of the fluid is in progress */
-	struct record own;		       /* saved: of a region or a mesh */
+	struct ts_immersed_record own;	       /* saved: of a region or a mesh */
 	const struct ts_mesh_surface *surface; /* of a mesh */
 	const struct ts_voxel_surface *field;  /* a height field */
 	/* saved: position of the torque's reference point relative to the mean of the corners */
 	double lever[3];
-	size_t column, net_column; /* of spheres: columns of struct record and struct ts_net_force */
+	size_t column,
+		net_column; /* of spheres: columns of struct ts_immersed_record and struct ts_net_force */
 	struct ts_restraints restraints;
 	bool free_mesh; /* a mesh that the fluid moves */
 	double slip;	/* saved */
 };
 
-static struct record *record_of_part(struct state *s, const struct tsim *sim, size_t part)
+static struct ts_immersed_record *record_of_part(struct state *s, const struct tsim *sim, size_t part)
 {
 	size_t row;
 
 	if (s->body != SPHERES)
 		return &s->own;
 	row = (size_t)ts_solid_sphere_row(s->solid, part);
-	return (struct record *)sim->particles->column[s->column].data + row;
+	return (struct ts_immersed_record *)sim->particles->column[s->column].data + row;
 }
 
 static struct ts_net_force *net_force_of(const struct state *s, const struct tsim *sim, size_t row)
@@ -347,13 +342,13 @@ static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct ts
 	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
-		struct record *r = record_of_part(s, sim, k);
+		struct ts_immersed_record *r = record_of_part(s, sim, k);
 
 		if (r->known != 0)
 			continue;
 		memcpy(r->velocity, s->immersed.sums[k].velocity, sizeof r->velocity);
 		memcpy(r->spin, s->immersed.sums[k].spin, sizeof r->spin);
-		r->known = INSIDE;
+		r->known = TS_IMMERSED_INSIDE;
 	}
 	return TS_OK;
 }
@@ -391,6 +386,7 @@ static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, 
 	}
 	s->begun = true;
 	ts_immersed_force(&s->immersed, fluid, s->solid->parts, dt, (int)s->iterations);
+	s->part.keeps_ghosts = !s->immersed.beside_boundary;
 	return TS_OK;
 }
 
@@ -402,24 +398,6 @@ static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, st
 	(void)sim, (void)fluid, (void)dt;
 	ts_immersed_end_substep(&s->immersed, s->solid->parts);
 	return TS_OK;
-}
-
-/* Updates force and torque on a part from the forcing and the change of the fluid inside, per `depth`. */
-static void update_part_force(const struct ts_immersed_sums *sums, double density, double share,
-			      double length, double depth, struct record *r)
-{
-	for (int k = 0; k < 3; k++) {
-		double rate = (sums->velocity[k] - r->velocity[k]) / length;
-		double turn = (sums->spin[k] - r->spin[k]) / length;
-		double force = density * sums->volume * rate - sums->impulse[k] / length;
-		double torque = density * sums->volume * turn - sums->angular_impulse[k] / length;
-
-		r->force[k] += (r->known > INSIDE ? share : 1) * (force / depth - r->force[k]);
-		r->torque[k] += (r->known > INSIDE ? share : 1) * (torque / depth - r->torque[k]);
-		r->velocity[k] = sums->velocity[k];
-		r->spin[k] = sums->spin[k];
-	}
-	r->known = 1;
 }
 
 static void mean_of_corners(const struct ts_mesh *mesh, double mean[3])
@@ -441,9 +419,9 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
-		struct record *r = record_of_part(s, sim, k);
+		struct ts_immersed_record *r = record_of_part(s, sim, k);
 
-		update_part_force(&s->immersed.sums[k], fluid->density, share, length, depth, r);
+		ts_immersed_record_update(r, &s->immersed.sums[k], fluid->density, share, length, depth);
 		if (discs) /* cell centres may be beside the plane of the discs */
 			r->torque[0] = r->torque[1] = 0;
 	}
@@ -549,7 +527,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
-	const struct record *record;
+	const struct ts_immersed_record *record;
 
 	if (s->body != SPHERES)
 		return TS_OK;
@@ -576,12 +554,12 @@ static enum ts_status eval_total(struct ts_instance *self, const struct tsim *si
 	for (int k = 0; k < 6; k++)
 		sum[k] = ts_exactsum_start();
 	for (size_t i = 0; i < parts; i++) {
-		const struct record *r = &s->own;
+		const struct ts_immersed_record *r = &s->own;
 
 		if (s->body == SPHERES) {
 			if (!ts_in_group(sim->particles, i, self->group))
 				continue;
-			r = (const struct record *)sim->particles->column[s->column].data + i;
+			r = (const struct ts_immersed_record *)sim->particles->column[s->column].data + i;
 		}
 		for (int k = 0; k < 6; k++)
 			ts_exactsum_add(&sum[k], k < 3 ? r->force[k] : r->torque[k - 3]);
@@ -601,7 +579,8 @@ static enum ts_status eval_parts(struct ts_instance *self, const struct tsim *si
 	memset(out->data, 0, p->n * 6 * sizeof *out->data);
 	for (size_t i = 0; s->body == SPHERES && i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			memcpy(&out->data[6 * i], ((const struct record *)p->column[s->column].data)[i].force,
+			memcpy(&out->data[6 * i],
+			       ((const struct ts_immersed_record *)p->column[s->column].data)[i].force,
 			       6 * sizeof *out->data);
 	return TS_OK;
 }

@@ -83,11 +83,12 @@ struct ts_immersed {
 	int32_t *owner;	  /* and that part, from 1 */
 	struct ts_immersed_sums *sums; /* of each part */
 	size_t sums_capacity;
-	size_t inside;		   /* number of points inside solids */
-	double thickness;	   /* thickness of the solid in cells: twice the largest depth of a point */
-	bool reads_ghosts;	   /* samples lie beside boundaries, or a body reaches the end of the grid */
-	double rate;		   /* largest velocity of a solid by spacing (cells/time) */
-	double first_dt;	   /* dt of the first stage of this substep; 0: it has not begun */
+	size_t inside;	      /* number of points inside solids */
+	double thickness;     /* thickness of the solid in cells: twice the largest depth of a point */
+	bool reads_ghosts;    /* samples lie beside boundaries, or a body reaches the end of the grid */
+	bool beside_boundary; /* points may be so near to the ends of the grid that ghosts depend on them */
+	double rate;	      /* largest velocity of a solid by spacing (cells/time) */
+	double first_dt;      /* dt of the first stage of this substep; 0: it has not begun */
 	struct ts_immersed *chunk; /* work memory: the points each thread has found, */
 	size_t chunks, chunk_capacity;
 	struct ts_immersed_candidate *candidate; /* and data of these points */

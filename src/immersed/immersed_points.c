@@ -16,6 +16,9 @@
  * first order in the spacing, returns. */
 static const double FADING = 10;
 
+/* Layers of cells beside a boundary on which velocities in ghosts may depend, and two more. */
+enum { BESIDE = TS_GRID_GHOSTS + 4 };
+
 /* The search for the points of one velocity component. */
 struct search {
 	struct ts_immersed *ib;
@@ -334,6 +337,8 @@ static size_t begin_part_search(struct search *s, size_t part)
 	s->part = part;
 	s->solid->kind->bounds(s->solid, part, s->lo, s->hi);
 	find_point_ranges(s);
+	for (int d = 0; d < s->grid->dimensions; d++)
+		s->ib->beside_boundary |= s->from[d] < BESIDE || s->to[d] > s->grid->n[d] - BESIDE;
 	if (s->from[0] >= s->to[0] || s->from[1] >= s->to[1] || s->from[2] >= s->to[2])
 		return 0;
 	return (size_t)(s->to[1] - s->from[1]) * (size_t)(s->to[2] - s->from[2]);
@@ -464,7 +469,7 @@ enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *
 
 	TS_TRY(allocate_scratch(ib, solid, &fluid->grid));
 	ib->npoints = ib->nouter = ib->inside = 0;
-	ib->reads_ghosts = false;
+	ib->reads_ghosts = ib->beside_boundary = false;
 	ib->thickness = ib->rate = 0;
 	for (int c = 0; c < 3; c++) {
 		ib->first[c] = ib->npoints;
