@@ -100,13 +100,43 @@ static void find_point_ranges(struct search *s)
 	}
 }
 
-static size_t field_index(const struct ts_grid *grid, const int i[3])
-{
-	int at[3];
+/* A point that is looked at. What depends on the row only is set once a row. */
+struct place {
+	int i[3];
+	double x[3], width[3]; /* of the control volume */
+	double reach;	       /* beyond this distance from the surface it is not near */
+	double reach_width;    /* the width along x for which that is */
+	size_t row;	       /* index in a field of the point 0 of the row */
+};
 
-	for (int d = 0; d < 3; d++)
-		at[d] = i[d] - (grid->periodic[d] ? image_number(i[d], grid->n[d]) * grid->n[d] : 0);
-	return ts_at(grid, at[0], at[1], at[2]);
+static int index_in_grid(const struct ts_grid *grid, int d, int i)
+{
+	return i - (grid->periodic[d] ? image_number(i, grid->n[d]) * grid->n[d] : 0);
+}
+
+static void begin_row(const struct search *s, int j, int k, struct place *at)
+{
+	*at = (struct place){ .i = { 0, j, k }, .reach_width = -1 };
+	for (int d = 1; d < 3; d++) {
+		at->x[d] = point_coordinate(s, d, at->i[d]);
+		at->width[d] = control_width(s, d, at->i[d]);
+	}
+	at->row = ts_at(s->grid, 0, index_in_grid(s->grid, 1, j), index_in_grid(s->grid, 2, k));
+}
+
+static void set_place(const struct search *s, int i, struct place *at)
+{
+	double square = 0;
+
+	at->i[0] = i;
+	at->x[0] = point_coordinate(s, 0, i);
+	at->width[0] = control_width(s, 0, i);
+	if (at->width[0] == at->reach_width)
+		return;
+	for (int d = 0; d < s->grid->dimensions; d++)
+		square += at->width[d] * at->width[d];
+	at->reach = 1.001 * sqrt(square);
+	at->reach_width = at->width[0];
 }
 
 /* Whether this part is the nearest to the point so far; marks it. keep_nearest removes the points of the
@@ -124,10 +154,10 @@ static bool is_nearest_part(struct search *s, size_t at, double distance)
 	return true;
 }
 
-static enum ts_status add_point(struct search *s, const int i[3], const double x[3], double distance)
+static enum ts_status add_point(struct search *s, const struct place *place, double distance)
 {
 	struct ts_immersed *ib = s->ib;
-	size_t at = field_index(s->grid, i);
+	size_t at = place->row + (size_t)index_in_grid(s->grid, 0, place->i[0]);
 	struct ts_immersed_point *p;
 
 	s->last = NULL;
@@ -140,27 +170,23 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	}
 	p = s->last = &ib->point[ib->npoints++];
 	*p = (struct ts_immersed_point){ .at = at, .part = (int32_t)s->part, .solid = 1 };
-	p->index = i[s->component];
-	if (s->grid->periodic[s->component])
-		p->index -= image_number(p->index, s->grid->n[s->component]) * s->grid->n[s->component];
-	ts_sub(x, s->solid->motion[s->part].centre, p->arm);
-	p->volume = 1;
-	for (int d = 0; d < 3; d++)
-		p->volume *= control_width(s, d, i[d]);
+	p->index = index_in_grid(s->grid, s->component, place->i[s->component]);
+	ts_sub(place->x, s->solid->motion[s->part].centre, p->arm);
+	p->volume = place->width[0] * place->width[1] * place->width[2];
 	if (!s->grid->periodic[s->component] && (p->index == 0 || p->index == s->grid->n[s->component]))
 		p->volume *= 0.5; /* half of the control volume is outside the grid */
 	return TS_OK;
 }
 
-static void set_target_velocity(struct search *s, const int i[3], double velocity)
+static void set_target_velocity(struct search *s, const struct place *at, double velocity)
 {
-	double h = control_width(s, s->component, i[s->component]);
+	double rate = fabs(velocity) / at->width[s->component];
 
 	s->last->target = velocity;
 	if (s->parallel)
-		s->ib->candidate[s->ib->npoints - 1].rate = fabs(velocity) / h;
-	else
-		s->ib->rate = fmax(s->ib->rate, fabs(velocity) / h);
+		s->ib->candidate[s->ib->npoints - 1].rate = rate;
+	else if (rate > s->ib->rate)
+		s->ib->rate = rate;
 }
 
 /* Updates the thickness by the point that was added last. */
@@ -168,8 +194,8 @@ static void update_thickness(struct search *s, double thickness)
 {
 	if (s->parallel)
 		s->ib->candidate[s->ib->npoints - 1].thickness = thickness;
-	else
-		s->ib->thickness = fmax(s->ib->thickness, thickness);
+	else if (thickness > s->ib->thickness)
+		s->ib->thickness = thickness;
 }
 
 /* Distance from x along n to the boundary of the grid, at most `most`. */
@@ -217,15 +243,15 @@ struct extent {
 	double across, along, reach;
 };
 
-static struct extent control_volume_extent(const struct search *s, const int i[3], const double n[3])
+static struct extent control_volume_extent(const struct search *s, const double width[3], const double n[3])
 {
 	struct extent e = { 0 };
 
 	for (int d = 0; d < s->grid->dimensions; d++) {
-		double h = control_width(s, d, i[d]), part = fabs(n[d]) * h;
+		double h = width[d], part = fabs(n[d]) * h;
 
 		e.across += part;
-		e.reach = fmax(e.reach, part);
+		e.reach = part > e.reach ? part : e.reach;
 		e.along += n[d] / h * (n[d] / h);
 	}
 	e.along = 1 / sqrt(e.along);
@@ -254,53 +280,49 @@ static enum ts_status add_outer_point(struct search *s, const double x[3],
 }
 
 /* Completes the point that was added last from the nearest point of the surface. */
-static enum ts_status describe_near_point(struct search *s, const int i[3], const double x[3],
+static enum ts_status describe_near_point(struct search *s, const struct place *at,
 					  const struct ts_solid_surface *surface)
 {
-	struct extent e = control_volume_extent(s, i, surface->n);
+	struct extent e = control_volume_extent(s, at->width, surface->n);
 	struct ts_immersed_point *p = s->last;
 
 	p->solid = fmin(1, fmax(0, 0.5 - surface->distance / e.across));
-	set_target_velocity(s, i, surface->v[s->component]);
+	set_target_velocity(s, at, surface->v[s->component]);
 	update_thickness(s, -2 * surface->distance / e.across);
-	return surface->distance > 0 ? add_outer_point(s, x, surface, &e) : TS_OK;
+	return surface->distance > 0 ? add_outer_point(s, at->x, surface, &e) : TS_OK;
 }
 
 /* Searches a row along x: a point far from the surface is on the same side as the point before. */
 static enum ts_status search_row(struct search *s, int j, int k)
 {
 	enum { UNKNOWN, OUT, IN } where = UNKNOWN;
+	struct place at;
 
+	begin_row(s, j, k, &at);
 	for (int i = s->from[0]; i < s->to[0]; i++) {
-		int index[3] = { i, j, k };
-		double x[3], reach = 0;
 		enum ts_solid_side side;
 		struct ts_solid_surface surface;
 
-		for (int d = 0; d < 3; d++) {
-			x[d] = point_coordinate(s, d, index[d]);
-			if (d < s->grid->dimensions)
-				reach += control_width(s, d, index[d]) * control_width(s, d, index[d]);
-		}
-		reach = 1.001 * sqrt(reach);
-		TS_TRY(s->solid->kind->find_surface(s->solid, s->worker, s->part, x, reach, &side, &surface));
+		set_place(s, i, &at);
+		TS_TRY(s->solid->kind->find_surface(s->solid, s->worker, s->part, at.x, at.reach, &side,
+						    &surface));
 		if (side == TS_SOLID_NEAR) {
 			where = surface.distance > 0 ? OUT : IN;
-			TS_TRY(add_point(s, index, x, surface.distance));
+			TS_TRY(add_point(s, &at, surface.distance));
 			if (s->last)
-				TS_TRY(describe_near_point(s, index, x, &surface));
+				TS_TRY(describe_near_point(s, &at, &surface));
 			continue;
 		}
 		if (where == UNKNOWN)
-			where = s->solid->kind->inside(s->solid, s->part, x) ? IN : OUT;
+			where = s->solid->kind->inside(s->solid, s->part, at.x) ? IN : OUT;
 		if (where == OUT)
 			continue;
-		TS_TRY(add_point(s, index, x, -INFINITY));
+		TS_TRY(add_point(s, &at, -INFINITY));
 		if (s->last) {
 			double v[3];
 
-			ts_solid_velocity(&s->solid->motion[s->part], x, v);
-			set_target_velocity(s, index, v[s->component]);
+			ts_solid_velocity(&s->solid->motion[s->part], at.x, v);
+			set_target_velocity(s, &at, v[s->component]);
 			s->last->deep = true;
 			update_thickness(s, 2);
 		}
