@@ -40,7 +40,8 @@ enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 	struct ts_drag *s = self->state;
 	void *context[2] = { self, sim };
 
-	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
+	if (!s->sorted)
+		TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
 	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_reaction, context);
 	s->nexchange = sim->particles->n;
 	return TS_OK;

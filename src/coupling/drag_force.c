@@ -75,6 +75,7 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 			       "fix %s needs a fluid: use flow_style before it", self->style->name);
 	s->fluid = NULL;
 	s->part.order = NULL;
+	s->sorted = false;
 	if (ts_flow_style_of(s->flow)->fluid)
 		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
 	s->part.after_step = s->fluid && s->two_way && !s->lagged ? ts_drag_correct : NULL;
@@ -187,9 +188,13 @@ static inline void clear_work(struct ts_drag *s, size_t i)
 
 static enum ts_status pass_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_drag *s = self->state;
+	struct ts_drag *s = self->state;
+	enum ts_status status = TS_OK;
 
-	return s->fluid && s->two_way && !sim->run.in_setup ? ts_drag_add_to_fluid(self, sim) : TS_OK;
+	if (s->fluid && s->two_way && !sim->run.in_setup)
+		status = ts_drag_add_to_fluid(self, sim);
+	s->sorted = false;
+	return status;
 }
 
 enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
@@ -205,6 +210,10 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(allocate_work(s, sim));
 	if (!(viscosity > 0))
 		return TS_OK;
+	if (s->fluid && s->two_way) {
+		TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
+		s->sorted = true;
+	}
 	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
 	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)

@@ -69,6 +69,7 @@ struct ts_drag {
 	struct ts_drag_combined *combined; /* of each particle, kept by the first of several drags. Owned */
 	size_t combined_capacity;
 	struct ts_cell_order order;
+	bool sorted; /* `order` is that of the present positions: from the forces of a step to the reaction */
 	struct ts_drag_exchange *exchange; /* of each particle, if the fluid is solved for. Owned */
 	size_t exchange_capacity;
 	size_t nexchange; /* number of particles with a pending exchange; 0: none */

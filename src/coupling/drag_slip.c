@@ -39,14 +39,15 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 	}
 }
 
-/* Velocity of the computed fluid at x, and its void fraction (NULL: not asked for); false: outside. */
-static bool fluid_at(const struct ts_drag *s, const double x[3], double u[3], double *empty)
+/* Velocity of the computed fluid at particle i, and its void fraction (NULL: not asked for); false: outside. */
+static bool fluid_at(const struct ts_drag *s, const double x[3], size_t i, double u[3], double *empty)
 {
 	const struct ts_fluid *fluid = s->fluid;
 	double place[3];
 	int cell[3];
 
-	if (!ts_coupling_locate(fluid, x, place, cell))
+	if (!(s->sorted ? ts_cell_order_locate(&s->order, fluid, x, i, place, cell)
+			: ts_coupling_locate(fluid, x, place, cell)))
 		return false;
 	if (s->interpolation != TS_INTERPOLATE_CELL) {
 		ts_fluid_velocity_in_cell(fluid, place, cell, u, empty ? fluid->void_fraction : NULL, empty);
@@ -67,7 +68,7 @@ bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *
 	slip->empty = ts_drag_style_of(self)->crowded ? s->fraction : 1;
 	if (!s->fluid)
 		ts_flow_style_of(s->flow)->velocity(s->flow, p->x[i], w);
-	else if (!fluid_at(s, p->x[i], w, looks ? &slip->empty : NULL))
+	else if (!fluid_at(s, p->x[i], i, w, looks ? &slip->empty : NULL))
 		return false;
 	for (int k = 0; k < 3; k++)
 		w[k] -= p->v[i][k];

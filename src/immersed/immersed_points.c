@@ -203,10 +203,13 @@ static double distance_to_boundary(const struct ts_grid *grid, const double x[3]
 				   double most)
 {
 	for (int d = 0; d < 3; d++) {
-		double face = grid->face[d][n[d] > 0 ? grid->n[d] : 0];
+		double face = grid->face[d][n[d] > 0 ? grid->n[d] : 0], away;
 
-		if (!grid->periodic[d] && n[d] != 0)
-			most = fmin(most, fmax(0, (face - x[d]) / n[d]));
+		if (grid->periodic[d] || n[d] == 0)
+			continue;
+		away = (face - x[d]) / n[d];
+		away = away > 0 ? away : 0;
+		most = away < most ? away : most;
 	}
 	return most;
 }
@@ -224,7 +227,8 @@ static void find_sample(const struct search *s, const double x[3], const double 
 
 		if (grid->periodic[d])
 			y -= floor((y - lo) / (hi - lo)) * (hi - lo);
-		y = fmin(fmax(y, lo), hi);
+		y = y > lo ? y : lo;
+		y = y < hi ? y : hi;
 		i[d] = ts_grid_find(grid, d, y);
 		out->t[d] = 0;
 		if (grid->ghosts[d] == 0)
