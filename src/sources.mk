@@ -437,6 +437,7 @@ library_sources = \
 	src/dump/dump_modify.h \
 	src/dump/dump_price.c \
 	src/dump/dump_restart.c \
+	src/dump/dump_rows.c \
 	src/dump/dump_select.c \
 	src/dump/dump_surface.c \
 	src/dump/dump_surface.h \

@@ -10,8 +10,6 @@
 
 #include "base/banned.h"
 
-enum { CHUNK = 1 << 16 };
-
 static bool one_file_per_frame(const struct ts_dump_common *d)
 {
 	return d->single || strchr(d->file, '*') != NULL;
@@ -101,42 +99,6 @@ void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what
 	ts_str_add(&d->text, "\n");
 }
 
-static enum ts_status write_text(struct ts_dump_common *d, struct tsim *sim)
-{
-	if (d->text.failed)
-		return ts_nomem(&sim->error);
-	TS_TRY(ts_textfile_write(&d->out, ts_str_text(&d->text), d->text.length));
-	ts_str_clear(&d->text);
-	return TS_OK;
-}
-
-static void add_item(struct ts_dump_common *d, const struct ts_dump_column *c, double value)
-{
-	if (!c->element)
-		ts_format_add(&d->text, c->format, c->integer, value);
-	else if (value >= 1 && value <= (double)d->element.n)
-		ts_str_add(&d->text, d->element.word[(size_t)value - 1].text);
-	else
-		ts_str_addf(&d->text, "%.0f", value);
-}
-
-enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing)
-{
-	for (size_t row = 0; row < d->nrows; row++) {
-		for (size_t k = 0; k < d->ncolumns; k++) {
-			const struct ts_dump_column *c = &d->column[k];
-
-			add_item(d, c, ts_dump_value(sim, c, (size_t)d->order[row]));
-			if (trailing || k + 1 < d->ncolumns)
-				ts_str_add_n(&d->text, " ", 1);
-		}
-		ts_str_add_n(&d->text, "\n", 1);
-		if (d->text.length > CHUNK)
-			TS_TRY(write_text(d, sim));
-	}
-	return write_text(d, sim);
-}
-
 enum ts_status ts_dump_keep_latest(struct ts_dump_common *d, struct tsim *sim)
 {
 	char **slot = d->nold ? &d->old[d->frames % d->nold] : NULL;
@@ -172,39 +134,6 @@ static enum ts_status begin_table(struct ts_dump_common *d, struct tsim *sim)
 	return ts_csv_begin(&d->out, sim, &row);
 }
 
-/* A cell with all digits, unless dump_modify has changed the usual format. */
-static void add_cell(struct ts_dump_common *d, const struct ts_dump_column *c, double value)
-{
-	bool usual = ts_streq(c->format, "%g") || ts_streq(c->format, "%lld");
-	size_t n = d->text.length;
-
-	if (usual && !c->element) {
-		ts_csv_real(&d->text, value);
-		return;
-	}
-	ts_str_add_n(&d->text, ",", 1); /* the step is before it */
-	add_item(d, c, value);
-	if (c->element && !d->text.failed && strpbrk(d->text.text + n + 1, ",\" ")) {
-		d->text.length = n;
-		ts_csv_text(&d->text, d->element.word[(size_t)value - 1].text);
-	}
-}
-
-static enum ts_status write_table(struct ts_dump_common *d, struct tsim *sim)
-{
-	for (size_t row = 0; row < d->nrows; row++) {
-		ts_csv_int(&d->text, sim->clock.step);
-		if (d->time)
-			ts_csv_real(&d->text, ts_sim_time(sim));
-		for (size_t k = 0; k < d->ncolumns; k++)
-			add_cell(d, &d->column[k], ts_dump_value(sim, &d->column[k], (size_t)d->order[row]));
-		ts_csv_end(&d->text);
-		if (d->text.length > CHUNK)
-			TS_TRY(write_text(d, sim));
-	}
-	return write_text(d, sim);
-}
-
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)
 {
 	struct ts_dump_common *d = self->state;
@@ -219,7 +148,7 @@ enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool lo
 	if (ts_csv_is(d->file)) {
 		if (is_new && !d->headless)
 			TS_TRY(begin_table(d, sim));
-		TS_TRY(write_table(d, sim));
+		TS_TRY(ts_dump_write_table(d, sim));
 		return ts_dump_frame_done(d, sim);
 	}
 	if (!d->headless)

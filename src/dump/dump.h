@@ -114,6 +114,8 @@ enum ts_status ts_dump_gather_rows(struct ts_instance *self, struct tsim *sim);
 double ts_dump_value(const struct tsim *sim, const struct ts_dump_column *c, size_t i);
 /* Writes the rows, items separated by blanks; `trailing`: with a blank at the end of a line, too. */
 enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing);
+/* The same as rows of comma-separated values that begin with the step. */
+enum ts_status ts_dump_write_table(struct ts_dump_common *d, struct tsim *sim);
 /* Opens the file of this frame if it is not open. */
 enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim);
 /* Adds the ITEM lines of a frame to common.text. `what`: "ATOMS" or "ENTRIES". */
