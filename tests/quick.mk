@@ -5,7 +5,9 @@
 #   seconds  test                           quick tests of the same subject
 #     120    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
-#      60    rank/ranks.sh                  rank/check_blocks
+#      60    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
+#      60    rank/contract_ranks.sh         rank/contract.sh
+#      20    rank/plan.sh                   rank/check_blocks
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
 #      12    program/signal.sh              none: it waits for processes
@@ -67,6 +69,7 @@ slow_tests = \
 	tests/library/python_types.sh \
 	tests/library/wheel.sh \
 	tests/bench/race.sh \
+	tests/rank/contract_ranks.sh \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
 	tests/restart/restart.sh \

@@ -197,6 +197,8 @@ shell_tests = \
 	tests/program/kill.sh \
 	tests/program/sandbox.sh \
 	tests/program/signal.sh \
+	tests/rank/contract.sh \
+	tests/rank/contract_ranks.sh \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
 	tests/region/regions.sh \

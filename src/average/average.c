@@ -60,6 +60,11 @@ bool ts_average_due(struct ts_average *a, const struct tsim *sim)
 	return true;
 }
 
+bool ts_average_waits(const struct ts_instance *self, const struct tsim *sim)
+{
+	return sim->clock.step == ((const struct ts_average *)self->state)->next;
+}
+
 bool ts_average_sampled(struct ts_average *a, const struct tsim *sim)
 {
 	a->samples++;

@@ -81,6 +81,8 @@ enum ts_status ts_average_init(struct ts_instance *self, struct tsim *sim, struc
 enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, struct ts_average *a, size_t n);
 /* Whether a sample is due at this step; before the first sample of an average, the sums are set to 0. */
 bool ts_average_due(struct ts_average *a, const struct tsim *sim);
+/* Slot `due` of styles whose state begins with a struct ts_average: whether a sample is due at this step. */
+bool ts_average_waits(const struct ts_instance *self, const struct tsim *sim);
 /* Counts a sample that the style has added to `sum`. Returns true after the last sample of an average: the
  * style then turns `sum` into the average and calls ts_average_combine. */
 bool ts_average_sampled(struct ts_average *a, const struct tsim *sim);

@@ -38,6 +38,7 @@ TS_STYLE(compute, ts_style, ts_compute_com_chunk)
 const struct ts_style ts_compute_com_chunk = {
 	.name = "com/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Center of mass of each chunk",
 	.doc = "Calculates the centre of mass of the particles of the group in each chunk of compute "
 	       "chunk/atom, from positions without periodic wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] are "

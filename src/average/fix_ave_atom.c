@@ -127,6 +127,8 @@ TS_STYLE(fix, ts_style, ts_fix_ave_atom)
 const struct ts_style ts_fix_ave_atom = {
 	.name = "ave/atom",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = ts_average_waits,
 	.summary = "Time averages of per-particle values",
 	.doc = "Calculates every Nfreq steps, for each particle of the group, the mean of Nrepeat samples "
 	       "taken Nevery steps apart, the last at that step. f_ID[k] is the average of value k, f_ID that "

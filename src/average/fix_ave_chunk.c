@@ -62,6 +62,8 @@ TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
 const struct ts_style ts_fix_ave_chunk = {
 	.name = "ave/chunk",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = ts_average_waits,
 	.summary = "Averages over chunks of particles and over time",
 	.doc = "Calculates every Nfreq steps, from Nrepeat samples taken Nevery steps apart, the last at that "
 	       "step, for each chunk of compute chunk/atom the mean of each value over the particles of the "

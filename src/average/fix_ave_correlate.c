@@ -355,10 +355,19 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
 const struct ts_style ts_fix_ave_correlate = {
 	.name = "ave/correlate",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Time correlation functions of global values",
 	.doc = "Calculates the time correlation functions of pairs of values,\n\n"
 	       "    C_ij(lag) = prefactor < V_i(t) V_j(t + lag) >\n\n"

@@ -164,10 +164,19 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_I64(struct state, blocks.inside), TS_SAVED_ROWS_END,
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_ave_error)
 const struct ts_style ts_fix_ave_error = {
 	.name = "ave/error",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Time averages with standard errors",
 	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of Nevery, "
 	       "and averages each value over all of them. f_ID[i][1] is the mean of value i (with `mode "

@@ -311,10 +311,17 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	return sim->clock.step % self->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_ave_euler)
 const struct ts_style ts_fix_ave_euler = {
 	.name = "ave/euler",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Averages velocity, volume fraction, stress ... over the cells of a grid",
 	.doc = "Divides the box into cells of equal size. Their edges are at least cell_size_relative "
 	       "diameters of the largest particle present at the first evaluation; after that the number of "

@@ -30,6 +30,8 @@ TS_STYLE(fix, ts_style, ts_fix_ave_histo)
 const struct ts_style ts_fix_ave_histo = {
 	.name = "ave/histo",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = ts_average_waits,
 	.summary = "Histograms of values over time",
 	.doc = "Calculates every Nfreq steps a histogram of all numbers that the values have in Nrepeat "
 	       "samples taken Nevery steps apart, the last at that step: numbers of the particles of the "

@@ -243,10 +243,19 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_ave_period)
 const struct ts_style ts_fix_ave_period = {
 	.name = "ave/period",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Frequency of a signal, and averages of values over its completed periods",
 	.doc = "Determines the frequency of the first value, the signal, and averages all values over whole "
 	       "periods of it. Samples are taken at the start of a run and at the end of each step that is a "

@@ -100,6 +100,8 @@ TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
 const struct ts_style ts_fix_ave_spatial = {
 	.name = "ave/spatial",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = ts_average_waits,
 	.summary = "Averages over spatial bins and over time",
 	.doc = "As fix ave/chunk with the bins of compute chunk/atom bin/1d, bin/2d or bin/3d, in the syntax "
 	       "of LIGGGHTS and older versions of LAMMPS. Particles outside the bins count in the nearest "

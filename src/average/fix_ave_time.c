@@ -335,19 +335,12 @@ static const struct ts_arg_group groups[] = {
 	{ .words = NULL },
 };
 
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return sim->clock.step == s->average.next;
-}
-
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 const struct ts_style ts_fix_ave_time = {
 	.name = "ave/time",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
-	.due = due,
+	.due = ts_average_waits,
 	.summary = "Time averages of global values",
 	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, the last "
 	       "at that step: with 2 6 100 the samples of steps 90, 92, 94, 96, 98, 100. f_ID[k] is the "

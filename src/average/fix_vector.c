@@ -101,10 +101,19 @@ static const struct ts_value values[] = {
 
 static const struct ts_saved saved[] = { TS_SAVE_I64(struct state, last), TS_SAVED_ROWS_END };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_vector)
 const struct ts_style ts_fix_vector = {
 	.name = "vector",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Collects global values every N steps into a growing vector or array",
 	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of N, at "
 	       "most once per step. A single value makes a vector, several values an array with a column for "

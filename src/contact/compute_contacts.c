@@ -122,6 +122,7 @@ TS_STYLE(compute, ts_style, ts_compute_contacts)
 const struct ts_style ts_compute_contacts = {
 	.name = "contacts",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "number, coordination and list of the contacts",
 	.doc = "c_ID is the number of touching pairs with both particles in the group, c_ID per particle its "
 	       "number of contacts. c_ID[k] in dump local is the list of contacts: both IDs, overlap, both "

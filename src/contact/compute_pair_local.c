@@ -67,6 +67,7 @@ TS_STYLE(compute, ts_style, ts_compute_pair_local)
 const struct ts_style ts_compute_pair_local = {
 	.name = "pair/local",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Distance and force of each contact",
 	.doc = "A table with a row for each contact whose particles are both in the group: dist is the "
 	       "distance of the centres, force the force along the line of centres, > 0 if repulsive; fx fy "

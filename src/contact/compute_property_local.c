@@ -125,6 +125,7 @@ TS_STYLE(compute, ts_style, ts_compute_property_local)
 const struct ts_style ts_compute_property_local = {
 	.name = "property/local",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "IDs and types of the particles of contacts and bonds",
 	.doc = "A table with a row for each pair whose particles are both in the group. Words with n list "
 	       "the pairs of the neighbour list, those with p the contacts, those with b the bonds; atom1, "

@@ -276,14 +276,30 @@ enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool
 	return ts_plan_stage(plan, sim, TS_STAGE_SETUP);
 }
 
+/* With several ranks: each gets all particles and their lists, not only a look at the particles. */
+static enum ts_status have_all(struct ts_plan *plan, struct tsim *sim)
+{
+	if (sim->run.looks)
+		TS_TRY(sim->tables->divide(plan, sim));
+	return sim->division ? sim->tables->gather(plan, sim, true) : TS_OK;
+}
+
+/* Particles are divided among ranks in all steps that need not be done with all particles. */
+static enum ts_status divide_or_gather(struct ts_plan *plan, struct tsim *sim)
+{
+	if (ts_ranks_step_due(sim))
+		return have_all(plan, sim);
+	return sim->division ? TS_OK : sim->tables->divide(plan, sim);
+}
+
 /* Velocity Verlet; the order of stages is that of LIGGGHTS. */
 enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
-	if (sim->world && !sim->division)
-		TS_TRY(sim->tables->divide(plan, sim));
+	if (sim->world)
+		TS_TRY(divide_or_gather(plan, sim));
 	TS_TRY(run_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
-	if (sim->division)
+	if (sim->world)
 		ts_ranks_agree(sim);
 	sim->run.rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
 	sim->run.relist &= !sim->run.rebuild;
@@ -296,7 +312,7 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 	sim->run.rebuild = sim->run.relist = false;
 	TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
 	if (sim->division && ts_ranks_whole_due(plan, sim))
-		TS_TRY(sim->tables->gather(plan, sim));
+		TS_TRY(sim->tables->gather(plan, sim, ts_ranks_lists_due(plan, sim)));
 	return run_stages(plan, sim, TS_STAGE_END_OF_STEP, TS_STAGE_OUTPUT);
 }
 
@@ -357,6 +373,8 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 			sim->recorder->step(sim->recorder, sim);
 		check_timeout(sim);
 	}
+	if (status == TS_OK)
+		status = have_all(plan, sim);
 	status = leave_run(sim, status);
 	if (sim->recorder)
 		sim->recorder->stop(sim->recorder, sim, plan);

@@ -108,6 +108,19 @@ bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim)
 	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || compute_reads_lists(sim);
 }
 
+bool ts_ranks_step_due(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		const struct ts_instance *self = fixes->item[k];
+
+		if (self->style->ranks & TS_RANKS_STEPS && self->style->due(self, sim))
+			return true;
+	}
+	return false;
+}
+
 void ts_ranks_agree(struct tsim *sim)
 {
 	double flag[4] = { sim->run.rebuild, sim->world->stop, sim->world->save, sim->run.relist };

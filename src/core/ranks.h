@@ -42,6 +42,8 @@ enum ts_status ts_ranks_check_systems(struct tsim *sim);
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);
 /* Whether in such a step lists of pairs or contacts are needed, too. */
 bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim);
+/* When a step begins: whether all ranks do it with all particles. */
+bool ts_ranks_step_due(const struct tsim *sim);
 /* After CHECK: all ranks rebuild the contact list, end or save if one of them wants it. */
 void ts_ranks_agree(struct tsim *sim);
 

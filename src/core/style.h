@@ -94,7 +94,10 @@ enum ts_rank_use {
 	TS_RANKS_OUTPUTS = 4,
 	/* With TS_RANKS_WHOLE: these hooks and outputs read the columns of particles, but no lists of pairs or contacts, and
 	 * change nothing. */
-	TS_RANKS_PARTICLES = 8
+	TS_RANKS_PARTICLES = 8,
+	/* All ranks do the steps in which `due` says so with all particles, as one rank does: what is rare and looks at the
+	 * particles of all ranks, such as insertions. */
+	TS_RANKS_STEPS = 16
 };
 
 struct ts_carrier;
@@ -187,7 +190,8 @@ struct ts_style {
 	 * fini, which follows, does the same after an error, but cannot report another one. */
 	ts_hook_fn *close;
 	unsigned ranks; /* enum ts_rank_use; commands need none, as each rank has all particles then */
-	/* Whether a hook of END_OF_STEP or OUTPUT has anything to do in this step; NULL: always. */
+	/* Whether a hook of END_OF_STEP or OUTPUT has anything to do in this step, with TS_RANKS_STEPS any hook, asked when
+	 * the step begins; NULL: always. */
 	bool (*due)(const struct ts_instance *self, const struct tsim *sim);
 	/* While the particles are divided among ranks, before all ranks get all particles: sums over the particles of this
 	 * rank become those over all of them (particle/rank_sums.h), for outputs. */

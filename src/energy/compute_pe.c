@@ -45,6 +45,7 @@ TS_STYLE(compute, ts_style, ts_compute_pe)
 const struct ts_style ts_compute_pe = {
 	.name = "pe",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "potential energy: elastic energy of contacts and bonds, and energy of fixes",
 	.doc = "The potential energy is the sum of three parts:\n\n"
 	       "* `pair`: the elastic energy of contacts, which they would return if they opened without "

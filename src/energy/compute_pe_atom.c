@@ -51,6 +51,7 @@ TS_STYLE(compute, ts_style, ts_compute_pe_atom)
 const struct ts_style ts_compute_pe_atom = {
 	.name = "pe/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "potential energy of each particle",
 	.doc = "The energy of a particle is half the elastic energy of each of its contacts and bonds; see "
 	       "compute pe for the equations. The sum over all particles equals the result of compute pe "

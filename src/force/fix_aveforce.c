@@ -3,6 +3,7 @@
 #include "force/restraint.h"
 #include "group/chosen.h"
 #include "math/exactsum.h"
+#include "particle/rank_sums.h"
 
 #include "base/banned.h"
 
@@ -12,11 +13,13 @@ struct state {
 	double before[3]; /* saved: total force before averaging */
 };
 
-static size_t sum_forces(const struct ts_instance *self, const struct ts_particles *p, double total[3])
+/* Returns the number of particles, of all ranks as the forces. */
+static double sum_forces(const struct ts_instance *self, const struct tsim *sim, double total[3])
 {
 	const struct state *s = self->state;
-	struct ts_exactsum part[3] = { 0 };
-	size_t n = 0;
+	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum part[4] = { 0 };
+	double n = 0;
 
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_chosen(p, i, self->group, s->region))
@@ -25,25 +28,26 @@ static size_t sum_forces(const struct ts_instance *self, const struct ts_particl
 			ts_exactsum_add(&part[k], p->f[i][k]);
 		n++;
 	}
+	ts_exactsum_add(&part[3], n);
+	ts_rank_sums_merge(sim, part, 4);
 	for (int k = 0; k < 3; k++)
 		total[k] = ts_exactsum_value(&part[k]);
-	return n;
+	return ts_exactsum_value(&part[3]);
 }
 
 static enum ts_status average_forces(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
-	double mean[3], added;
-	size_t n;
+	double mean[3], added, n;
 
 	TS_TRY(ts_region_update(s->region, sim));
-	n = sum_forces(self, p, s->before);
+	n = sum_forces(self, sim, s->before);
 	for (int k = 0; k < 3; k++) {
 		if (s->f[k].null)
 			continue;
 		TS_TRY(ts_number_now(sim, &s->f[k], &self->where, &added));
-		mean[k] = n ? s->before[k] / (double)n + added : 0;
+		mean[k] = n > 0 ? s->before[k] / n + added : 0;
 	}
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
@@ -89,6 +93,7 @@ TS_STYLE(fix, ts_style, ts_fix_aveforce)
 const struct ts_style ts_fix_aveforce = {
 	.name = "aveforce",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "sets the force on each particle to the mean force of the group",
 	.doc = "Each component that is not NULL is set to f = (sum of f) / n + (fx, fy, fz) for all n "
 	       "particles of the group (that are in the region). Particles of equal mass and equal velocity "

@@ -127,6 +127,7 @@ TS_STYLE(fix, ts_style, ts_fix_langevin)
 const struct ts_style ts_fix_langevin = {
 	.name = "langevin",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "Langevin thermostat: friction and random forces",
 	.doc = "Adds to each particle of the group a friction force and a random force,\n\n"
 	       "  f = -m v/damp + sqrt(24 k T m/(damp dt)) u\n\n"

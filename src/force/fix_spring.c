@@ -148,6 +148,7 @@ TS_STYLE(fix, ts_style, ts_fix_spring)
 const struct ts_style ts_fix_spring = {
 	.name = "spring",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "adds a spring between the centre of mass of a group and a point or another group",
 	.doc = "The force on the group is\n\n"
 	       "  F = -K (|d| - R0) d/|d|\n\n"

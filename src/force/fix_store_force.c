@@ -71,6 +71,7 @@ TS_STYLE(fix, ts_style, ts_fix_store_force)
 const struct ts_style ts_fix_store_force = {
 	.name = "store/force",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "stores the forces on particles before later fixes change them",
 	.doc = "Fixes act in the order in which they are defined. This fix stores the sum of the forces of "
 	       "contacts, bonds and the fixes defined before it, e.g. before fix setforce or fix freeze "

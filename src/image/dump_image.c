@@ -88,6 +88,8 @@ TS_STYLE(dump, ts_style, ts_dump_image)
 const struct ts_style ts_dump_image = {
 	.name = "image",
 	.kind = TS_KIND_DUMP,
+	.ranks = TS_RANKS_WHOLE,
+	.due = ts_dump_may_be_due,
 	.summary = "Writes pictures of particles, bonds and surfaces",
 	.purpose = "Pictures of the simulation without another program: grains, bonds, meshes, walls, slices "
 		   "of the fluid. `write_dump all image FILE ...` writes a single one; the colours are set "

@@ -268,6 +268,8 @@ TS_STYLE(fix, ts_style, ts_fix_insert_pack_dense)
 const struct ts_style ts_fix_insert_pack_dense = {
 	.name = "insert/pack/dense",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
+	.due = ts_insertion_due,
 	.summary = "Fills a region with a dense random packing",
 	.doc = "Fills the region once, in the step after the definition or in the step start, so that "
 	       "particles occupy volumefraction_region of its volume. The number of new particles is the "

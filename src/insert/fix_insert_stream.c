@@ -550,6 +550,8 @@ TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 const struct ts_style ts_fix_insert_stream = {
 	.name = "insert/stream",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_STEPS,
+	.due = ts_insertion_due,
 	.summary = "Inserts a stream of particles through a plane face",
 	.purpose =
 		"A feeder: grains fall through a face into the simulation at a given rate. It needs a plane "

@@ -578,6 +578,8 @@ TS_STYLE(fix, ts_style, ts_fix_pour)
 const struct ts_style ts_fix_pour = {
 	.name = "pour",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
+	.due = ts_insertion_due,
 	.summary = "Pours particles into a region, as in LAMMPS",
 	.doc = doc,
 	.example = "fix rain all pour 3000 1 300719 region slab vol 0.13 50 diam range 0.004 0.006 dens 2500 "

@@ -262,6 +262,14 @@ void ts_insertion_fini(struct ts_instance *self)
 
 /* ---- schedule and random motion */
 
+bool ts_insertion_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_insertion *s = self->state;
+
+	(void)sim;
+	return s->due || s->wait == 1;
+}
+
 enum ts_status ts_insertion_check(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_insertion *s = self->state;

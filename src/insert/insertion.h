@@ -91,6 +91,8 @@ extern const struct ts_value ts_insertion_values[];
 enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, bool *first);
 void ts_insertion_fini(struct ts_instance *self);
 
+/* Slot `due`: whether particles are inserted in the step that begins. */
+bool ts_insertion_due(const struct ts_instance *self, const struct tsim *sim);
 /* Hook for CHECK: requests a rebuild of the contact list if an insertion is due. */
 enum ts_status ts_insertion_check(struct ts_instance *self, struct tsim *sim);
 /* In PRE_EXCHANGE, after particles have been drawn and placed in the list: creates them and writes to the

@@ -4,6 +4,7 @@
 
 #include "box/domain.h"
 #include "insert/insertion_meshes.h"
+#include "math/exactsum.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 
@@ -138,6 +139,7 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 {
 	struct ts_insertion_region *s = self->state;
 	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum mass = ts_exactsum_start(), volume = ts_exactsum_start();
 
 	TS_TRY(ts_region_update(s->region, sim));
 	*out = (struct ts_region_content){ .room = s->volume };
@@ -145,9 +147,11 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 		if (!ts_region_contains(s->region, p->x[i]))
 			continue;
 		out->number++;
-		out->mass += p->mass[i];
-		out->volume += ts_particle_volume(sim, p->radius[i]);
+		ts_exactsum_add(&mass, p->mass[i]);
+		ts_exactsum_add(&volume, ts_particle_volume(sim, p->radius[i]));
 	}
+	out->mass = ts_exactsum_value(&mass);
+	out->volume = ts_exactsum_value(&volume);
 	/* as in LIGGGHTS, the new volume is used from the next insertion on */
 	return is_shrink_wrapped(&sim->domain->box) ? estimate_volume(self, sim) : TS_OK;
 }

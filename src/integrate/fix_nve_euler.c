@@ -23,6 +23,7 @@ TS_STYLE(fix, ts_style, ts_fix_nve_euler)
 const struct ts_style ts_fix_nve_euler = {
 	.name = "nve/euler",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "integrates the motion of the group by the explicit Euler scheme",
 	.doc = "Each step of length h is x += h v; v += h f/m, both with the values at the beginning of the "
 	       "step. The scheme is of first order. An undamped oscillator of angular frequency omega gains "

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "math/vec3.h"
+#include "particle/rank_sums.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -16,6 +17,7 @@ struct state {
 	int mode;
 	double limit;
 	int64_t limited; /* number of limited velocities since the fix was defined; saved */
+	int64_t recent;	 /* those of this rank that are not in it yet, while the particles are divided */
 };
 
 struct task {
@@ -77,7 +79,8 @@ static enum ts_status kick_and_drift(struct ts_instance *self, struct tsim *sim,
 	struct task task = { self, sim, moves };
 	size_t n = sim->particles->n;
 
-	s->limited += ts_parallel_count(ts_team(sim, n), n, kick_and_drift_share, &task);
+	*(sim->division ? &s->recent : &s->limited) +=
+		ts_parallel_count(ts_team(sim, n), n, kick_and_drift_share, &task);
 	return TS_OK;
 }
 
@@ -89,6 +92,17 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	return kick_and_drift(self, sim, false);
+}
+
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double recent = (double)s->recent, sum;
+
+	TS_TRY(ts_rank_sums(sim, &recent, 1, 1, 1, &sum));
+	s->limited += (int64_t)sum;
+	s->recent = 0;
+	return TS_OK;
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -116,6 +130,8 @@ TS_STYLE(fix, ts_style, ts_fix_nve_limit)
 const struct ts_style ts_fix_nve_limit = {
 	.name = "nve/limit",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = join,
 	.summary = "velocity Verlet with a limited displacement per step",
 	.doc = "As fix nve, but after each half kick a velocity that would move its particle by more than the "
 	       "limit in a step is reduced to it. The fix is for scenes that begin with overlaps; energy is "

@@ -14,6 +14,7 @@ TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
 const struct ts_style ts_fix_nve_symplectic = {
 	.name = "nve/symplectic",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "integrates the motion of the group by the symplectic Euler scheme",
 	.doc = "Each step of length h is v += h f/m; x += h v with the new velocity; computation of the "
 	       "forces. The scheme is of first order and symplectic: the energy error stays bounded. It is "

@@ -97,6 +97,8 @@ TS_STYLE(dump, ts_style, ts_dump_mesh_stl)
 const struct ts_style ts_dump_mesh_stl = {
 	.name = "mesh/stl",
 	.kind = TS_KIND_DUMP,
+	.ranks = TS_RANKS_WHOLE,
+	.due = ts_dump_may_be_due,
 	.summary = "Meshes at their present position, as STL (text)",
 	.doc = "Writes one file per frame, with one solid that contains all triangles, mesh after mesh. "
 	       "`stl` is another name of this style.",

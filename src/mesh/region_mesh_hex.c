@@ -18,6 +18,7 @@ const struct ts_region_style ts_region_mesh_hex = {
 	.style = {
 		.name = "mesh/hex",
 		.kind = TS_KIND_REGION,
+	.ranks = TS_RANKS_WHOLE,
 		.summary = "The hexahedra of a VTK file",
 		.doc = "All points in the hexahedra of a legacy VTK file (text or binary), each split into "
 		       "six tetrahedra. The file must contain no other solid cells; points, lines and surface "

@@ -18,6 +18,7 @@ const struct ts_region_style ts_region_mesh_tet = {
 	.style = {
 		.name = "mesh/tet",
 		.kind = TS_KIND_REGION,
+	.ranks = TS_RANKS_WHOLE,
 		.summary = "The tetrahedra of a VTK file",
 		.doc = "All points in the tetrahedra of a legacy VTK file (text or binary). The file must "
 		       "contain no other solid cells; points, lines and surface cells are ignored. Points "

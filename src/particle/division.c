@@ -559,7 +559,7 @@ static enum ts_status begin_look(struct tsim *sim, struct ts_division *d)
 		status = mine.data ? ts_world_share_others(sim->world, &mine, &look->others) : TS_NOMEM;
 	status = status == TS_OK ? append_particles(sim, &look->others) : ts_nomem(&sim->error);
 	ts_parcel_release(&mine);
-	look->on = true;
+	sim->run.looks = true;
 	return status;
 }
 
@@ -575,7 +575,7 @@ static enum ts_status end_look(struct tsim *sim, struct ts_division *d)
 			       "columns of particles have changed while all ranks had all particles");
 	move_rows(p, look->columns, p->n, p->nghost, false, look->ghosts.data);
 	sim->generation++;
-	look->on = false;
+	sim->run.looks = false;
 	return TS_OK;
 }
 
@@ -587,7 +587,7 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 		TS_TRY(make_division(sim));
 	d = sim->particles->division;
 	ts_deferred_loops_run(sim);
-	if (d->look.on) {
+	if (sim->run.looks) {
 		TS_TRY(end_look(sim, d));
 		listen(sim, d);
 		sim->division = d;
@@ -662,14 +662,14 @@ static bool blocks_are_uneven(struct tsim *sim, struct ts_division *d)
 	return n[0] > UNEVEN * (double)d->cut_most + FEW;
 }
 
-enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim)
+enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool lists)
 {
 	struct ts_division *d = sim->division;
 	bool whole;
 
 	ts_deferred_loops_run(sim);
 	TS_TRY(join_sums(sim));
-	whole = blocks_are_uneven(sim, d) || sim->run.uneven || ts_ranks_lists_due(plan, sim);
+	whole = blocks_are_uneven(sim, d) || sim->run.uneven || lists;
 	if (whole)
 		TS_TRY(give_all(sim, d, true, NULL));
 	for (size_t k = 0; whole && k < d->ncarried; k++)

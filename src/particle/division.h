@@ -16,7 +16,6 @@ struct ts_plan;
 /* All ranks have all particles for a look at their columns: those of other ranks follow the own ones, in the place of the
  * ghosts. The lists of the own particles stay; they are valid again when the ghosts are back. */
 struct ts_look {
-	bool on;
 	size_t n, nghost; /* own particles and ghosts */
 	size_t columns;	  /* numbers of the ghosts in each of the first `columns` columns that is active */
 	struct ts_parcel ghosts, others;
@@ -41,7 +40,7 @@ struct ts_division {
 
 /* Slots of struct ts_tables. */
 enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim);
-enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim);
+enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool lists);
 /* Slot of the system of particles. */
 const char *ts_division_refused(const struct tsim *sim);
 void ts_division_free(struct ts_division *division);

@@ -106,10 +106,19 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 const struct ts_style ts_fix_momentum = {
 	.name = "momentum",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Removes linear and angular momentum of a group",
 	.doc = "Every N steps, at the end of the step, the velocity of the centre of mass is subtracted from "
 	       "the velocities of the group (linear), then the rigid-body rotation omega x (x - x_cm) "

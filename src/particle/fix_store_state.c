@@ -129,10 +129,19 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return s->every > 0 && sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_store_state)
 const struct ts_style ts_fix_store_state = {
 	.name = "store/state",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Stores per-particle quantities",
 	.doc = "Stores the inputs of the particles in the group when the fix is defined and, unless N is 0, "
 	       "at the end of each step that is a multiple of N. The values move with the particles and are "

@@ -1,6 +1,7 @@
 #include "particle/group_moments.h"
 
 #include "math/exactsum.h"
+#include "particle/rank_sums.h"
 
 #include "base/banned.h"
 
@@ -23,6 +24,7 @@ void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *t
 		for (size_t k = 0; k < width; k++)
 			ts_exactsum_add(&sum[k], t[k]);
 	}
+	ts_rank_sums_merge(sim, sum, width);
 	for (size_t k = 0; k < width; k++)
 		out[k] = ts_exactsum_value(&sum[k]);
 }

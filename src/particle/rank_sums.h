@@ -3,6 +3,7 @@
 #define TS_PARTICLE_RANK_SUMS_H
 
 #include "core/sim.h"
+#include "math/exactsum.h"
 
 enum { TS_RANK_SUMS_MOST = 4 };
 
@@ -10,5 +11,8 @@ enum { TS_RANK_SUMS_MOST = 4 };
  * ranks; k < width <= TS_RANK_SUMS_MOST. For the slot `join` of styles: all ranks call it in the same order. */
 enum ts_status ts_rank_sums(struct tsim *sim, const double *data, size_t n, size_t stride, size_t width,
 			    double *sum);
+
+/* While the particles are divided: part[k] becomes the sum of those of all ranks, which all call it in the same order. */
+void ts_rank_sums_merge(const struct tsim *sim, struct ts_exactsum *part, size_t width);
 
 #endif

@@ -194,10 +194,19 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_halt)
 const struct ts_style ts_fix_halt = {
 	.name = "halt",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = due,
 	.summary = "Ends a run early when a condition is met",
 	.doc = "Compares the attribute with the limit at the end of each step that is a multiple of N. If "
 	       "the comparison holds, this step becomes the last of the run: its output is written and the "

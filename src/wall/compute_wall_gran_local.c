@@ -148,6 +148,7 @@ TS_STYLE(compute, ts_style, ts_compute_wall_gran_local)
 const struct ts_style ts_compute_wall_gran_local = {
 	.name = "wall/gran/local",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Data of each contact of a particle with a wall",
 	.doc = "A table with one row for each contact of a particle of the group with a triangle of a mesh, "
 	       "as compute pair/gran/local gives for contacts of particles. Whatever the order of the "

@@ -123,6 +123,7 @@ TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
 const struct ts_style ts_fix_wall_reflect = {
 	.name = "wall/reflect",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "Walls that reflect the centres of particles",
 	.doc = "If the centre of a particle has passed the wall by the distance d in a step, it is placed at "
 	       "d in front of the wall, and the velocity component normal to the wall is reversed. The "

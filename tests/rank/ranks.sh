@@ -100,8 +100,8 @@ refused() {
 	report "$what: alone it runs" $? out
 }
 integrate='fix 1 all nve'
-refused 'a fix' 5:11 'fix aveforce does not work with several ranks' 'fix f all aveforce 1 0 0' "$integrate"
-refused 'a compute' 5:15 'compute repose/angle does not work' 'compute m all repose/angle cone base 0 column 1' "$integrate"
+refused 'a fix' 5:11 'fix recenter does not work with several ranks' 'fix f all recenter INIT INIT INIT' "$integrate"
+refused 'a compute' 5:15 'compute cluster/atom does not work' 'compute m all cluster/atom 1' "$integrate"
 refused 'a value that changes' 6:19 "'v_g' is a value that changes" 'variable g equal 1+step' \
 	'fix g all gravity v_g vector 0 0 -1' "$integrate"
 refused 'an output of each contact of a wall' 8:63 'an output of each contact with a wall' 'change_box all boundary f f f' \

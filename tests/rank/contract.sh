@@ -1,0 +1,86 @@
+#!/bin/bash
+# Every style works on any number of ranks or is refused before a run, with its name and the reason: each one that is not
+# refused occurs in a scene whose files are the same, byte for byte, on other numbers of ranks. TS_RANKS: these numbers; without
+# them the scenes are not run (tests/rank/contract_ranks.sh runs them).
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+export OMP_NUM_THREADS=1
+scenes=$top_srcdir/tests/rank/scenes
+decks=$top_srcdir/tests/decks
+numbers=${TS_RANKS-}
+
+# What all ranks refuse is left out.
+cp "$scenes"/in.* .
+sed '/energy\/ledger/d' "$decks/in.insertion" >in.insertion
+cp "$decks/in.pour" .
+sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
+
+# names KIND: of the styles of this kind, the last block of its page
+names() {
+	"$TSIM" -help "$1" | awk '/^.tsim -help .* NAME/ { exit } /^  [^ ]/ { if (!inside) n = 0; inside = 1; name[n++] = $1; next }
+		{ inside = 0 } END { for (k = 0; k < n; k++) print name[k] }'
+}
+
+# asked KIND STYLE: a line that names the style
+asked() {
+	case $1 in
+	fix | compute) echo "$1 x all $2" ;;
+	dump) echo "dump x all $2 10 x.file" ;;
+	region) echo "region x $2" ;;
+	*) echo "$1_style $2" ;;
+	esac
+}
+
+# The styles of all scenes: "KIND STYLE".
+awk '$1 ~ /^(fix|compute|dump)$/ { print $1, $4 } $1 == "region" { print $1, $3 }
+	$1 ~ /^(pair|bond|flow|pressure|automaton)_style$/ { sub(/_style/, "", $1); print $1, $2 }' in.* | sort -u >covered
+
+: >table
+for kind in fix compute pair bond region dump flow automaton; do
+	names $kind >styles
+	[ -s styles ]
+	report "there are styles of the kind $kind" $?
+	while read -r style; do
+		{
+			printf 'units si\nregion box block 0 1 0 1 0 1\ncreate_box 1 box\n'
+			asked $kind "$style"
+		} >asked
+		"$TSIM" -explain -ranks 2 -in asked -log none >out 2>&1
+		if grep -q "asked:4:[0-9]*: error: $kind $style does not work with several ranks yet (there are 2)" out; then
+			echo "$kind $style refused" >>table
+			continue
+		fi
+		grep -qx "$kind $style" covered
+		report "$kind $style is refused, or occurs in a scene" $?
+		echo "$kind $style same" >>table
+	done <styles
+done
+cat table
+awk '{ n[$3]++ } END { for (what in n) print n[what], "styles:", what }' table
+
+[ -n "$numbers" ] || finish
+if ! has mpirun openmpi-bin || mpirun --oversubscribe --allow-run-as-root -np 2 "$TSIM" -version 2>&1 | grep -q 'built without MPI'; then
+	echo 'skipped: the scenes need mpirun and a tsim built with MPI (configure --with-mpi)'
+	finish
+fi
+
+# files_of FOLDER COMMAND...: files of a scene as x.* in a folder
+files_of() {
+	local folder=$1
+	shift
+	rm -rf "$folder"
+	mkdir "$folder"
+	(cd "$folder" && timeout 300 "$@" -in "../in.$scene" -log log -screen none -var out x >out 2>&1 </dev/null)
+	report "$scene: $folder" $? "$folder/out"
+	rows "$folder/log" >"$folder/x.rows"
+}
+for scene in averages drum forces forces_hertz flat insertion pour; do
+	files_of alone "$TSIM"
+	for n in $numbers 2x2; do # 2x2: two threads each
+		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
+			files_of ranks mpirun --oversubscribe --allow-run-as-root --bind-to none -np "${n%x2}" "$TSIM"
+		diff -rq -x log -x out -x '*.restart' alone ranks >difference
+		report "$scene: the same files on $n ranks" $? difference
+	done
+done
+finish
