@@ -56,25 +56,34 @@ rows log.2 >rows.2
 "$TSIM" -in "$scenes/in.bed" -log log.1 -screen none -var out one >out 2>&1
 same 'two ranks of two threads' one.dump many.dump
 
-# Cut by restart files that other numbers of ranks read.
-cut=$scenes/in.bed
-grep -v '^run' "$cut" >in.first
-printf 'run 400\nwrite_restart cut.restart\n' >>in.first
-{
-	echo 'read_restart cut.restart'
-	grep -E '^(newton|neighbor|fix|pair|timestep|compute|variable|thermo|dump)' "$cut"
-	printf 'run 200\nrun 300\n'
-} >in.second
-ranks 3 -in in.first -log none -screen none -var out first
-report 'three ranks write a restart file' $? out
-for n in 2 1; do
-	ranks $n -in in.second -log log.second -screen none -var out second
-	report "$n ranks read it" $? out
-	tail -n "$(awk '/ITEM: TIMESTEP/ { n = NR } END { print NR - n }' one.dump)" one.dump >last.one
-	tail -n "$(awk '/ITEM: TIMESTEP/ { n = NR } END { print NR - n }' second.dump)" second.dump >last.second
-	same "$n ranks continue" last.one last.second
-	rm -f second.*
-done
+# resumed SCRIPT FIRST REST WORDS: the run is cut by a restart file of three ranks, which other numbers of ranks read; WORDS: of
+# the lines that are given again
+last_frame() { tail -n "$(awk '/ITEM: TIMESTEP/ { n = NR } END { print NR - n }' "$1")" "$1"; }
+resumed() {
+	local name=${1##*in.} n
+	grep -v '^run' "$1" >in.whole
+	printf 'run %d\nrun %d\n' "$2" "$3" | cat in.whole - >in.all
+	printf 'run %d\nwrite_restart cut.restart\n' "$2" | cat in.whole - >in.first
+	{ echo 'read_restart cut.restart' && grep -E "^($4)" "$1" && echo "run $3"; } >in.second
+	"$TSIM" -in in.all -log none -screen none -var out whole >out 2>&1
+	report "$name is not cut" $? out
+	ranks 3 -in in.first -log none -screen none -var out first
+	report "$name: three ranks write a restart file" $? out
+	last_frame whole*.dump >last.whole
+	for n in 2 1; do
+		ranks $n -in in.second -log none -screen none -var out second
+		report "$name: $n ranks read it" $? out
+		last_frame second*.dump >last.second
+		same "$name: $n ranks continue" last.whole last.second
+		rm -f second*
+	done
+	rm -f whole* first* cut.restart
+}
+lines='newton|neighbor|neigh_modify|communicate|fix|pair|timestep|compute|variable|thermo|dump|print'
+resumed "$scenes/in.bed" 400 500 "$lines"
+resumed "$scenes/in.drum" 600 600 "$lines"
+sed '/energy\/ledger/d' "$top_srcdir/tests/decks/in.insertion" >in.insertion
+resumed in.insertion 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
