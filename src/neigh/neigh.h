@@ -43,11 +43,11 @@ struct ts_neigh_callbacks {
 };
 
 struct ts_neigh {
-	double skin;	   /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
-	bool fixed_skin;   /* `neighbor ... fixed yes`: the skin is never less either */
-	double built_skin; /* skin of the present list, length */
+	double skin;	    /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
+	bool fixed_skin;    /* `neighbor ... fixed yes`: the skin is never less either */
+	double built_skin;  /* skin of the present list, length */
 	double ghost_reach; /* distance from the box or block up to which there are ghosts, length */
-	double given_skin; /* ts_neigh_skin when the list was built, length */
+	double given_skin;  /* ts_neigh_skin when the list was built, length */
 	struct ts_drift_frame frame; /* displacements are measured relative to it */
 	double mean_velocity[3];     /* ts_drift_frame_speeds.centre when the list was built */
 	double least_radius;	     /* smallest radius then, length */

@@ -35,7 +35,7 @@ struct ts_division {
 	int64_t gathered;    /* how often all ranks got all particles */
 	int64_t listed;	     /* how often contacts, too */
 	struct ts_look look;
-	size_t least, most;  /* fewest and most particles of a rank when they were gathered last */
+	size_t least, most; /* fewest and most particles of a rank when they were gathered last */
 };
 
 /* Slots of struct ts_tables. */
