@@ -135,9 +135,9 @@ struct ts_run_state {
 	bool clamped;	     /* a live integrator limits the displacement of particles in a step */
 	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
 	bool relist;	     /* the contact list alone is to be rebuilt: no particle is deleted */
-	bool looks;	     /* all ranks have all particles for outputs, but each has lists of its own only */
-	bool uneven;	     /* some ranks have so many particles that all are to be divided again */
-	bool complete;	     /* the run may end with this step: it stores all that can be read afterwards */
+	bool looks;    /* all ranks have all particles for outputs, but each has lists of its own only */
+	bool uneven;   /* some ranks have so many particles that all are to be divided again */
+	bool complete; /* the run may end with this step: it stores all that can be read afterwards */
 	bool shows_contacts; /* an output reads forces of contacts, or an outside program may do so */
 	bool shows_lists;    /* an output reads lists of pairs */
 	/* Nothing that forces depend on has changed since the last step: the run continues with the forces
