@@ -125,7 +125,7 @@ TS_STYLE(compute, ts_style, ts_compute_quantile)
 const struct ts_style ts_compute_quantile = {
 	.name = "quantile",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Quantiles of a per-particle value, such as d10, d50 and d90 of a grain size",
 	.doc = "The quantile q of a value is the smallest one up to which the particles of the group make up "
 	       "more than the part q of the whole, by number, mass or volume. With `diameter` and `weight "

@@ -88,7 +88,7 @@ TS_STYLE(compute, ts_style, ts_compute_slice)
 const struct ts_style ts_compute_slice = {
 	.name = "slice",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Every n-th element of vectors",
 	.doc = "Extracts the elements Nstart, Nstart + Nskip ... up to Nstop of each input vector. c_ID[i] "
 	       "is element i of the slice of the first input, c_ID[i][j] element i of that of input j.",

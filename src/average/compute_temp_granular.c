@@ -68,7 +68,7 @@ TS_STYLE(compute, ts_style, ts_compute_temp_granular)
 const struct ts_style ts_compute_temp_granular = {
 	.name = "temp/granular",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Granular temperature",
 	.doc = "The granular temperature is the mean square of the velocity fluctuations per direction,\n\n"
 	       "    T = <|u - <u>|^2> / D\n\n"

@@ -366,7 +366,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
 const struct ts_style ts_fix_ave_correlate = {
 	.name = "ave/correlate",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Time correlation functions of global values",
 	.doc = "Calculates the time correlation functions of pairs of values,\n\n"

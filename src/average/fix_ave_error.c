@@ -175,7 +175,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_error)
 const struct ts_style ts_fix_ave_error = {
 	.name = "ave/error",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Time averages with standard errors",
 	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of Nevery, "

@@ -30,7 +30,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_histo)
 const struct ts_style ts_fix_ave_histo = {
 	.name = "ave/histo",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Histograms of values over time",
 	.doc = "Calculates every Nfreq steps a histogram of all numbers that the values have in Nrepeat "

@@ -36,7 +36,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
 const struct ts_style ts_fix_ave_histo_weight = {
 	.name = "ave/histo/weight",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Histograms of weighted values over time",
 	.doc = "As fix ave/histo for the first value; each number adds the corresponding number of the second "

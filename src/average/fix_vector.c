@@ -112,7 +112,7 @@ TS_STYLE(fix, ts_style, ts_fix_vector)
 const struct ts_style ts_fix_vector = {
 	.name = "vector",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Collects global values every N steps into a growing vector or array",
 	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of N, at "

@@ -1,21 +1,25 @@
 #include "particle/rank_sums.h"
 
+#include <string.h>
+
 #include "base/banned.h"
 
 void ts_rank_sums_merge(const struct tsim *sim, struct ts_exactsum *part, size_t width)
 {
 	struct ts_world *world = sim->division ? sim->world : NULL;
 
-	for (size_t k = 0; world && k < width; k++) {
-		struct ts_exactsum mine = part[k];
+	struct ts_exactsum mine[TS_RANK_SUMS_MOST], of[TS_RANK_SUMS_MOST];
 
+	if (!world)
+		return;
+	memcpy(mine, part, width * sizeof *mine);
+	for (size_t k = 0; k < width; k++)
 		part[k] = ts_exactsum_start();
-		for (int r = 0; r < world->n; r++) {
-			struct ts_exactsum of = mine;
-
-			ts_world_spread(world, r, &of, sizeof of);
-			ts_exactsum_merge(&part[k], &of);
-		}
+	for (int r = 0; r < world->n; r++) {
+		memcpy(of, mine, width * sizeof *of);
+		ts_world_spread(world, r, of, width * sizeof *of);
+		for (size_t k = 0; k < width; k++)
+			ts_exactsum_merge(&part[k], &of[k]);
 	}
 }
 
