@@ -24,8 +24,8 @@ enum ts_status ts_particle_tally_start_empty(struct tsim *sim, struct ts_particl
 double (*ts_particle_tally_append(struct ts_particle_tally *tally, size_t members))[TS_PARTICLE_TALLY_MOST];
 /* The sums, exact and rounded once. */
 const double *ts_particle_tally_sums(struct ts_particle_tally *tally);
-/* For the slot `join` of the fix: the sums over the particles of all ranks. */
-enum ts_status ts_particle_tally_join(struct tsim *sim, struct ts_particle_tally *tally);
+/* Slot `join` of fixes whose state begins with a tally: the sums over the particles of all ranks. */
+enum ts_status ts_particle_tally_join(struct ts_instance *self, struct tsim *sim);
 void ts_particle_tally_release(struct ts_particle_tally *tally);
 /* Saves or restores the sums; called by the archive function of the fix. */
 enum ts_status ts_particle_tally_archive(struct ts_archive *archive, struct ts_particle_tally *tally);

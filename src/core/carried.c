@@ -1,22 +1,20 @@
 #include "core/carried.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/banned.h"
 
+static int compare_tags(const void *a, const void *b)
+{
+	const int32_t *x = a, *y = b;
+
+	return (*x > *y) - (*x < *y);
+}
+
 bool ts_carried_leaves(const struct ts_leaving *leaving, int32_t tag)
 {
-	size_t lo = 0, hi = leaving->n;
-
-	while (lo < hi) {
-		size_t middle = lo + (hi - lo) / 2;
-
-		if (leaving->tag[middle] < tag)
-			lo = middle + 1;
-		else
-			hi = middle;
-	}
-	return lo < leaving->n && leaving->tag[lo] == tag;
+	return leaving->n && bsearch(&tag, leaving->tag, leaving->n, sizeof tag, compare_tags);
 }
 
 static size_t stride(const struct ts_carried *rows)

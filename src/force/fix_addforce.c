@@ -11,11 +11,11 @@
 enum { ENERGY = 3 };
 
 struct addforce {
+	struct ts_particle_tally before; /* per particle: force before it was added, potential energy */
 	struct ts_number f[3], energy;
 	int64_t every;
 	struct ts_instance *region;
 	struct ts_number_or_peratom now[3], energy_now;
-	struct ts_particle_tally before; /* per particle: force before it was added, potential energy */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -99,11 +99,6 @@ static enum ts_status eval_before(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status join(struct ts_instance *self, struct tsim *sim)
-{
-	return ts_particle_tally_join(sim, &((struct addforce *)self->state)->before);
-}
-
 static void fini(struct ts_instance *self)
 {
 	struct addforce *s = self->state;
@@ -144,7 +139,7 @@ const struct ts_style ts_fix_addforce = {
 	.name = "addforce",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
-	.join = join,
+	.join = ts_particle_tally_join,
 	.summary = "adds a force to each particle of the group",
 	.doc = "Adds the force (fx, fy, fz) to each particle of the group (that is in the region). The "
 	       "potential energy of the constant components is -f . x with unwrapped positions x; components "

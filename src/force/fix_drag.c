@@ -11,9 +11,9 @@
 #include "base/banned.h"
 
 struct state {
+	struct ts_particle_tally force;
 	struct ts_number at[3]; /* NULL: no force in this direction */
 	double size, delta;
-	struct ts_particle_tally force;
 };
 
 static enum ts_status add_drag(struct ts_instance *self, struct tsim *sim)
@@ -64,11 +64,6 @@ static enum ts_status eval_total(struct ts_instance *self, const struct tsim *si
 	return TS_OK;
 }
 
-static enum ts_status join(struct ts_instance *self, struct tsim *sim)
-{
-	return ts_particle_tally_join(sim, &((struct state *)self->state)->force);
-}
-
 static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
@@ -101,7 +96,7 @@ const struct ts_style ts_fix_drag = {
 	.name = "drag",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
-	.join = join,
+	.join = ts_particle_tally_join,
 	.summary = "adds a force of constant magnitude towards a point",
 	.doc = "Adds f = -fmag d/|d| to each particle of the group whose distance |d| from the point is "
 	       "larger than delta, where d is the vector from the nearest periodic image of the point to the "

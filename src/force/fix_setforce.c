@@ -8,10 +8,10 @@
 #include "base/banned.h"
 
 struct setforce {
+	struct ts_particle_tally before; /* force on each particle before it was set */
 	struct ts_number f[3];
 	struct ts_instance *region;
 	struct ts_number_or_peratom now[3];
-	struct ts_particle_tally before; /* force on each particle before it was set */
 };
 
 static enum ts_status set_forces(struct ts_instance *self, struct tsim *sim)
@@ -70,11 +70,6 @@ static enum ts_status eval_before(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status join(struct ts_instance *self, struct tsim *sim)
-{
-	return ts_particle_tally_join(sim, &((struct setforce *)self->state)->before);
-}
-
 static void fini(struct ts_instance *self)
 {
 	struct setforce *s = self->state;
@@ -108,7 +103,7 @@ const struct ts_style ts_fix_setforce = {
 	.name = "setforce",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
-	.join = join,
+	.join = ts_particle_tally_join,
 	.summary = "sets components of the force on each particle of the group",
 	.doc = "Replaces the force on each particle of the group (that is in the region) by (fx, fy, fz). "
 	       "All forces that were added earlier in the time step are discarded; a component that is NULL "

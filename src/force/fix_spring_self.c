@@ -14,10 +14,10 @@
 enum { ENERGY = 0 };
 
 struct state {
+	struct ts_particle_tally energy;
 	double stiffness;
 	int direction;
 	struct ts_reference anchor;
-	struct ts_particle_tally energy;
 };
 
 static const char *const directions[] = { "xyz", "xy", "yz", "xz", "x", "y", "z", NULL };
@@ -108,11 +108,6 @@ static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status join(struct ts_instance *self, struct tsim *sim)
-{
-	return ts_particle_tally_join(sim, &((struct state *)self->state)->energy);
-}
-
 static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
@@ -138,7 +133,7 @@ const struct ts_style ts_fix_spring_self = {
 	.name = "spring/self",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
-	.join = join,
+	.join = ts_particle_tally_join,
 	.summary = "tethers each particle to its initial position by a spring",
 	.doc = "Adds the force f = -K (x - x0) to each particle of the group, in the given directions. x and "
 	       "x0 are unwrapped positions, x0 that when the fix was defined or, for particles created later, "
