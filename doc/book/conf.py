@@ -129,7 +129,10 @@ class Names:
         # parts that are code or links already stay as they are
         parts = re.split(r"(\[[^\]]*\]\([^)]*\)|``[^`]+``|`[^`]+`)", line)
         for k, part in enumerate(parts):
-            if k % 2 == 0:
+            named = re.fullmatch(r"\[([\w-]+\.md)\]\((\1(?:#[\w-]*)?)\)", part)
+            if named and named.group(1) in self.titles:  # a link is shown by the title of its page
+                parts[k] = f"[{self.titles[named.group(1)]}]({named.group(2)})"
+            elif k % 2 == 0:
                 parts[k] = self.style.sub(style, self.page.sub(page, part))
             elif re.fullmatch(r"`doc/[\w-]+\.md`", part):
                 parts[k] = self.page.sub(page, part)
@@ -167,6 +170,7 @@ def before_reading(app, name, source):
         elif fence is None and not line.startswith("    ") and not line.startswith("#"):
             line = re.sub(r"\$`([^`]+)`\$", r"{math}`\1`", line)
             line = app.names.linked(line, folder, own)
+            line = re.sub(r"^(\s*)%", r"\1\\%", line)  # MyST takes such a line for a comment
         out.append(line)
     text = "\n".join(out)
     entries = index_entries(source[0], name)
