@@ -432,6 +432,20 @@ void *ts_files_open_gz(struct ts_files *files, const char *path)
 	return file;
 }
 
+void *ts_files_open_gz_of(struct ts_files *files, const char *path, const char *script)
+{
+	struct ts_str beside = { 0 };
+	void *file = ts_files_open_gz(files, path);
+
+	if (!file && errno == ENOENT && script && ts_files_beside(&beside, script, path) && !beside.failed) {
+		file = ts_files_open_gz(files, ts_str_text(&beside));
+		if (!file)
+			errno = ENOENT;
+	}
+	ts_str_release(&beside);
+	return file;
+}
+
 FILE *ts_files_open_null(void)
 {
 	return fopen("/dev/null", "w");

@@ -55,7 +55,9 @@ const char *ts_files_why(const struct ts_files *files);
 
 /* Like fopen with r, w, a; x behind w: the file must not exist, not even as a link. */
 FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode);
-void *ts_files_open_gz(struct ts_files *files, const char *path);	       /* gzFile, to read */
+void *ts_files_open_gz(struct ts_files *files, const char *path); /* gzFile, to read */
+/* The same; a file that does not exist is looked for in the folder of `script`, too (NULL: none). */
+void *ts_files_open_gz_of(struct ts_files *files, const char *path, const char *script);
 FILE *ts_files_open_null(void);						       /* /dev/null */
 void *ts_files_list(struct ts_files *files, const char *folder);	       /* DIR */
 int ts_files_stat(struct ts_files *files, const char *path, struct stat *out); /* stat */

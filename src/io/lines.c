@@ -32,7 +32,7 @@ enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct 
 	l->chunk = l->buffer;
 	errno = 0;
 	l->files = files;
-	l->gz = ts_files_open_gz(files, path);
+	l->gz = ts_files_open_gz_of(files, path, where ? where->file : NULL);
 	if (l->gz)
 		return TS_OK;
 	ts_lines_close(l);

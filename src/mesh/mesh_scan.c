@@ -73,7 +73,7 @@ enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts
 	TS_TRY(start_scan(s, err, pool, path));
 	s->files = files;
 	errno = 0;
-	gz = ts_files_open_gz(files, path);
+	gz = ts_files_open_gz_of(files, path, where ? where->file : NULL);
 	if (!gz)
 		return errno ? ts_textfile_open_failed(err, files, where, path) : ts_nomem(err);
 	status = read_all(s, gz);

@@ -102,4 +102,20 @@ rejects "$head
 fix a all mesh/surface/planar primitive sphere radius 0.1 type 1" 'not planar'
 rejects "$head
 fix a all mesh/surface primitive cylinder radius 1e3 length 1e3 type 1" 'outside the box'
+
+# a file that is not in the folder where tsim starts is looked for beside the script
+mkdir -p aside
+printf '%s\n' "$head
+mesh_primitive aside/only.stl $drum" >in.write
+"$TSIM" -log none -in in.write >out 2>&1
+printf '%s\n' "$head
+fix a all mesh/surface file only.stl type 1" >aside/in.read
+"$TSIM" -log none -in aside/in.read >out 2>&1
+report 'a mesh beside the script' $? out
+(cd aside && "$TSIM" -log none -in in.read) >out 2>&1
+report 'and in the folder itself' $? out
+rm aside/only.stl
+"$TSIM" -log none -in aside/in.read >out 2>&1
+[ $? != 0 ] && shows "cannot open 'only.stl': No such file" out
+report 'and nowhere' $? out
 finish
