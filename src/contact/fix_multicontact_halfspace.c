@@ -73,7 +73,8 @@ static const char doc[] =
 	"long as s is smaller than the overlap. R* is that of the radii R + s; LIGGGHTS uses R instead of R "
 	"+ s for one of two particles (not at walls), so its forces may differ by the fraction s/(4 R). "
 	"Elastic energy is that of the overlaps delta; the work of moving surfaces is booked as dissipated "
-	"by fix energy/ledger.";
+	"by fix energy/ledger.\n\n"
+	"Equations typeset, assumptions, order and limits: doc/theory-multicontact.md.";
 
 TS_STYLE(fix, ts_style, ts_fix_multicontact_halfspace)
 const struct ts_style ts_fix_multicontact_halfspace = {

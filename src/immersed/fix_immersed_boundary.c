@@ -754,7 +754,7 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "as light as the fluid or lighter, with an error of first order in the step. It is applied "
 	       "when all other forces are known, regardless of the order in the script. Bodies whose added "
 	       "mass is more than 4.5 times the mass of the displaced fluid (light ones in narrow channels) "
-	       "need a larger value, or `relax`.",
+	       "need a larger value, or `relax`.\n\nEquations, order, limits: doc/theory-immersed.md.",
 	.doc_more = doc_more,
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"

@@ -39,6 +39,7 @@ const struct ts_style ts_compute_active_pi = {
 	       "has a maximum at one stiffness.\n\n"
 	       "Volume of the gap and area of the contacts are those of a compute surface/contact. Particles "
 	       "do not change the contact, and no particle is simulated.\n\n"
+	       "Equations typeset: doc/theory-rough.md.\n\n"
 	       "Related: compute active/pml, compute active/paml, compute surface/contact.",
 	.example = "compute press all surface/contact pad winkler 2.7e10 pressure 41400 hardness 5e6\n"
 		   "compute pi all active/pi press radius 0.272e-6 fraction 0.04 deviation 0.086e-6 hardness "

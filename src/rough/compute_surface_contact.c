@@ -138,6 +138,7 @@ static const char doc[] =
 	"With model winkler a column is in contact or not by its own height: c_ID[2] is meant.\n\n"
 	"Errors at 128 x 128 columns for a sphere with a contact radius of 38 columns: approach 2e-5, "
 	"largest pressure 1.3e-4, area 0.6 %, corrected area 0.2 %.\n\n"
+	"Equations typeset, assumptions, order and limits: doc/theory-rough.md.\n\n"
 	"Related: fix surface/voxel, dump voxel/vtk.";
 
 TS_STYLE(compute, ts_style, ts_compute_surface_contact)

@@ -218,7 +218,8 @@ static const char doc[] =
 	"corners that are active, and for the temperature of a mesh. A contact that moves from one triangle "
 	"to a flat neighbour keeps its history. Laws that act beyond the touch (model jkr) do so on meshes "
 	"as on planes: each point of the mesh that is nearest to the particle in all triangles that share it "
-	"is one contact, which keeps its history when it moves across edges and corners, too.";
+	"is one contact, which keeps its history when it moves across edges and corners, too.\n\n"
+	"Equations typeset, assumptions, order and limits: doc/theory-contact.md.";
 
 static const char *const doc_more[] = {
 	"`voxels ID` makes a wall of a height field, see fix surface/voxel. Particles of the groups of both "
