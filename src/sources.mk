@@ -561,6 +561,7 @@ library_sources = \
 	src/force/fix_drag.c \
 	src/force/fix_drill_bit.c \
 	src/force/fix_enforce2d.c \
+	src/force/fix_external.c \
 	src/force/fix_freeze.c \
 	src/force/fix_gravity.c \
 	src/force/fix_langevin.c \
@@ -874,6 +875,7 @@ library_sources = \
 	src/law/twisting.h \
 	src/library/library.h \
 	src/library/library_columns.c \
+	src/library/library_external.c \
 	src/library/library_features.c \
 	src/library/library_life.c \
 	src/library/library_manual.c \

@@ -293,6 +293,12 @@ TSIM_API const char *tsim_column_name(struct tsim *sim, size_t k);
  * particles were created, deleted or reordered. */
 TSIM_API int tsim_pairs(struct tsim *sim, int32_t *pair, size_t room, size_t *n);
 
+/* Numbers for the fix external of this ID, n of them: "force", three for each particle in the present order; "energies",
+ * one for each; "energy", one for all together; "vector", any number, which scripts read as f_ID[k]. They are kept until
+ * they are given again. "due": *value becomes 1 if this is a step in which pf/callback asks for forces, otherwise 0; a
+ * function of tsim_on_step at TSIM_BEFORE_FORCE then gives them. */
+TSIM_API int tsim_external(struct tsim *sim, const char *fix, const char *what, double *value, size_t n);
+
 /* Particles to be created. Arrays of n elements, x and v of 3 n: x0 y0 z0 x1 ... All but x may be NULL,
  * with the defaults below. */
 struct tsim_particles {

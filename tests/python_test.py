@@ -769,6 +769,50 @@ class Lammps(Case):
         self.assertLess(lmp.value("vz[1]"), -0.09)
         lmp.close()
 
+    def test_fix_external(self):
+        lmp = tsim.lammps(cmdargs=["-screen", "none"])
+        lmp.commands_string(SINGLE + "group none empty\nfix up all external pf/callback 2 1\n"
+                            "fix held none external pf/array 1\nfix_modify up energy yes\ncompute pe all pe")
+        self.assertRaisesRegex(tsim.TsimError, "no program gives the forces", lmp.command, "run 1")
+        steps, first = [], lmp.extract_global("ntimestep")
+
+        def push(caller, step, n, tag, x, f):
+            steps.append(step - first)
+            for k in range(n):
+                f[k][2] = 1e-3 * len(steps)
+            lmp.fix_external_set_energy_global("up", 5.0)
+        lmp.set_fix_external_callback("up", push)
+        lmp.command("run 5")
+        # it is called in each second step, and what it gave acts in the step without a call, too
+        self.assertEqual(steps, [0, 2, 4])
+        self.assertEqual(list(lmp.gather_atoms("f", 1, 3)), [0, 0, 3e-3])
+        self.assertEqual([lmp.get_thermo("c_pe"), lmp.value("f_up")], [5, 5])
+        for row in lmp.fix_external_get_force("held"):
+            row[0] = 2.0
+        lmp.command("run 1")
+        self.assertEqual(lmp.gather_atoms("f", 1, 3)[0], 0)  # its group is empty
+        lmp.commands_string("unfix held\nfix held all external pf/array 1")
+        for row in lmp.fix_external_get_force("held"):
+            row[0] = 2.0
+        lmp.command("run 1")
+        self.assertEqual(lmp.gather_atoms("f", 1, 3)[0], 2)
+        lmp.command("create_atoms 1 single 0.4 0.4 2.4 units box")
+        lmp.command("run 1")  # the array belongs to the particle it was taken for
+        self.assertEqual([lmp.gather_atoms("f", 1, 3)[k] for k in (0, 3)], [2, 0])
+        lmp.fix_external_set_vector_length("up", 3)
+        lmp.fix_external_set_vector("up", 2, 7.5)
+        self.assertEqual([lmp.value("f_up[%d]" % k) for k in (1, 2, 3)], [0, 7.5, 0])
+        lmp.fix_external_set_energy_peratom("up", [1, 2])
+        self.assertEqual(list(lmp.evaluate("f_up[4]", "per_particle")), [1, 2])
+        self.assertRaisesRegex(ValueError, "which has 3", lmp.fix_external_set_vector, "up", 4, 1)
+        self.assertRaisesRegex(tsim.TsimError, "1 numbers given as 'energies', expected 2",
+                               lmp.fix_external_set_energy_peratom, "up", [1])
+        self.assertRaisesRegex(tsim.TsimError, "takes no numbers", lmp.fix_external_set_energy_global, "m", 1)
+        self.assertRaisesRegex(tsim.TsimError, "no fix 'nix'", lmp.fix_external_set_energy_global, "nix", 1)
+        self.assertRaises(NotImplementedError, lmp.fix_external_set_virial_global, "up", [0] * 6)
+        self.assertRaises(NotImplementedError, lmp.fix_external_set_virial_peratom, "up", [[0] * 6] * 2)
+        lmp.close()
+
 
 if __name__ == "__main__":
     result = unittest.main(exit=False, verbosity=1).result

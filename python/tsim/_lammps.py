@@ -10,6 +10,7 @@ import platform
 import sys
 from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple
 
+from ._external import ExternalNames
 from ._library import _lib, _text
 from ._neighbours import NeighbourNames, NeighList
 from ._numbers import _integers, numpy
@@ -131,7 +132,7 @@ class NumpyNames:
         return NeighList(self._sim, idx, True).get(element)
 
 
-class LammpsNames(NeighbourNames):
+class LammpsNames(NeighbourNames, ExternalNames):
     """Names of LAMMPS and LIGGGHTS, a part of Simulation."""
 
     # what Simulation has
@@ -155,7 +156,6 @@ class LammpsNames(NeighbourNames):
     _gather: Any
     _read: Any
     _scatter: Any
-    _externals: Optional[Dict[str, Any]] = None
 
     # -- scripts and life
 
@@ -468,38 +468,6 @@ class LammpsNames(NeighbourNames):
         if numpy is not None:
             made = numpy.asarray(made, dtype=numpy.int32).reshape(-1, 3)
         return len(made), made
-
-    # -- functions called in each step
-
-    def set_fix_external_callback(self, fix_id: str, callback: Callable[..., Any],
-                                  caller: Any = None) -> None:
-        """Calls callback(caller, ntimestep, nlocal, tag, x, f) in each step: what it writes to f, which
-        is zero before, is added to the forces. No `fix external` is needed: fix_id is only its name.
-        Another function of that name is replaced; None removes it.
-        """
-        self._externals = self._externals if self._externals is not None else {}
-        old = self._externals.pop(fix_id, None)
-        if old is not None:
-            self.off_step("after_force", old)
-        if callback is None:
-            return
-
-        def add(sim: Any) -> None:
-            f = [[0.0] * 3 for _ in range(len(sim))] if numpy is None else numpy.zeros((len(sim), 3))
-            arguments = (sim.clock.step, len(sim), sim.tag, sim.x, f)
-            if caller is None:
-                callback(None, *arguments)
-            else:
-                callback(caller, *arguments)
-            force = sim.f
-            if numpy is not None:
-                force += f
-                return
-            for k, row in enumerate(f):
-                for axis in range(3):
-                    force[k, axis] += row[axis]
-        self._externals[fix_id] = add
-        self.on_step("after_force", add)
 
     # -- what there is
 

@@ -109,6 +109,7 @@ def _declare(lib: ctypes.CDLL) -> ctypes.CDLL:
             ("variable_text", number, sim, text, text, size, _c_size_p),
             ("variable_name", text, sim, size), ("count", size, sim),
             ("pairs", number, sim, _c_int32_p, size, _c_size_p),
+            ("external", number, sim, text, text, _c_double_p, size),
             ("column_read", number, sim, text, _c_double_p, size),
             ("column_write", number, sim, text, _c_double_p, size),
             ("gather", number, sim, text, _c_int32_p, _c_double_p, size),

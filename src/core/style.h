@@ -179,6 +179,9 @@ struct ts_style {
 	/* Fixes: upper bound of the rate [1/time] at which its forces, other than those of contacts, slow down particle
 	 * i at its present place: for the limit of the step of contacts that are damped so. NULL: no such forces. */
 	double (*damping)(const struct ts_instance *self, const struct tsim *sim, size_t i);
+	/* Fixes: takes `n` numbers of the outside program (tsim_external); `what` is a word of the fix. */
+	enum ts_status (*take)(struct ts_instance *self, struct tsim *sim, const char *what, double *value,
+			       size_t n);
 	/* Checks of the scene that only this style can make; reported by ts_review_report, see
 	 * core/review.h. */
 	ts_hook_fn *review;

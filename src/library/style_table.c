@@ -257,6 +257,7 @@ TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 TS_STYLE(fix, ts_style, ts_fix_energy_ledger)
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 TS_STYLE(fix, ts_style, ts_fix_evaporate)
+TS_STYLE(fix, ts_style, ts_fix_external)
 TS_STYLE(fix, ts_coupling_force_style, ts_fix_flow_pressure_gradient)
 TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
 TS_STYLE(fix, ts_style, ts_fix_freeze)
@@ -608,6 +609,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_energy_ledger,
 	&ts_fix_enforce2d,
 	&ts_fix_evaporate,
+	&ts_fix_external,
 	&ts_fix_flow_pressure_gradient.style,
 	&ts_fix_flow_scalar,
 	&ts_fix_freeze,

@@ -94,6 +94,9 @@ static const char *write_table(void)
 	ROW(tsim_generation, 0, VOID(tsim_generation(S)))                                                   \
 	ROW(tsim_column_name, 0, VOID(tsim_column_name(S, 0)))                                              \
 	ROW(tsim_pairs, 7, (tsim_string(sim, contacts), tsim_pairs(S, P(1, id), 1, P(2, &size))))           \
+	ROW(tsim_external, 15,                                                                              \
+	    (tsim_string(sim, "fix given all external pf/array 1"),                                         \
+	     tsim_external(S, P(1, "given"), P(2, "energy"), P(3, number), 1)))                             \
 	ROW(tsim_create, 3, tsim_create(S, P(1, &particles), P(2, id)))                                     \
 	ROW(tsim_delete, 3, tsim_delete(S, P(1, id), 1))                                                    \
 	ROW(tsim_group_bit, 7, tsim_group_bit(S, P(1, "all"), P(2, &whole)))                                \

@@ -112,10 +112,10 @@ syn keyword tsimKeyword  global beyond end extra level prob iparam jparam dim vm
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate wiggle
 syn keyword tsimKeyword  xy xz yz flip xyz scheme explicit implicit lagged void sound C1 C2
-syn keyword tsimKeyword  wob spring body clearance summary conductivity capacity initial
-syn keyword tsimKeyword  source convection vanleer central donor exchange ranz_marshall
-syn keyword tsimKeyword  chute spherical hard soft continue message path
-syn keyword tsimKeyword  initial_temperature contact_area area_correction
+syn keyword tsimKeyword  wob spring body clearance summary pf/callback pf/array
+syn keyword tsimKeyword  conductivity capacity initial source convection vanleer central
+syn keyword tsimKeyword  donor exchange ranz_marshall chute spherical hard soft continue
+syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler min_cells relax virtual_mass surface
 syn keyword tsimKeyword  spheres distributiontemplate maxattempt overlapcheck stacked
 syn keyword tsimKeyword  orientation set_property verbose all_in position direction
@@ -211,7 +211,7 @@ syn keyword tsim_fix contained controller couple/cfd couple/cfd/convection coupl
 syn keyword tsim_fix contained couple/cfd/force/implicit damping/cundall deform drag
 syn keyword tsim_fix contained drag/beetstra drag/carlson_hoglund drag/di_felice drag/ergun
 syn keyword tsim_fix contained drag/gidaspow drag/koch_hill drag/schiller_naumann drag/stokes
-syn keyword tsim_fix contained drag/wen_yu drill/bit energy/ledger enforce2d evaporate
+syn keyword tsim_fix contained drag/wen_yu drill/bit energy/ledger enforce2d evaporate external
 syn keyword tsim_fix contained flow/pressure_gradient flow/scalar freeze gravity halt heat/gran
 syn keyword tsim_fix contained heat/gran/conduction immersed/boundary insert/gap insert/jet
 syn keyword tsim_fix contained insert/pack insert/pack/dense insert/rate/region insert/stream
