@@ -199,8 +199,7 @@ static const char *const modes[] = { "pf/callback", "pf/array", NULL };
 static const struct ts_arg args[] = {
 	TS_ENUM("mode", struct state, mode, modes, .flags = TS_POSITIONAL,
 		.help = "pf/callback: a function of the program computes the forces; pf/array: the program "
-			"sets "
-			"them between runs or in functions called in each step"),
+			"sets them between runs or in functions called in each step"),
 	TS_INT("N", struct state, first, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
 	       .help = "pf/callback: steps between calls of the function (Ncall); pf/array: steps between "
 		       "additions of the forces (Napply)"),
@@ -210,11 +209,11 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "fx", "fy", "fz", "energy" };
+static const char *const components[] = { "fx", "fy", "fz", "energy", NULL };
 static const struct ts_value values[] = {
 	{ "energy", "energy", "the energy that the program has given for all particles together", TS_SCALAR,
 	  1, NULL, eval_energy },
-	{ "vector", NULL, "the numbers that the program has given", TS_VECTOR, 0, NULL, eval_vector },
+	{ "vector", "", "the numbers that the program has given", TS_VECTOR, 0, NULL, eval_vector },
 	{ "particles", NULL, "force and energy of each particle as the program has given them", TS_PERATOM,
 	  WIDTH, components, eval_particles },
 	{ .name = NULL },
@@ -224,27 +223,22 @@ TS_STYLE(fix, ts_style, ts_fix_external)
 const struct ts_style ts_fix_external = {
 	.name = "external",
 	.kind = TS_KIND_FIX,
-	.summary = "adds forces that an outside program computes",
+	.summary = "Adds forces that an outside program computes",
 	.purpose = "Forces computed in Python or C: control loops, forces fitted elsewhere, coupling of two "
 		   "programs.",
-	.doc = "A program that runs tsim as a library gives a force to each particle: by a function that is "
-	       "called in "
-	       "each step divisible by Ncall (pf/callback), or as an array that keeps its values until it is "
-	       "changed "
-	       "(pf/array). The forces on the particles of the group are added in each step divisible by "
-	       "Napply, in "
-	       "the order of fixes in the script. They belong to particles: they move with them in memory, "
-	       "are kept "
-	       "in restart files, and those of new particles are 0.\n\n"
+	.doc = "A program that runs tsim as a library gives a force to each particle: by a function "
+	       "that is called in each step divisible by Ncall (pf/callback), or as an array that keeps "
+	       "its values until it is changed (pf/array). The forces on the particles of the group are "
+	       "added in each step divisible by Napply, in the order of fixes in the script. They "
+	       "belong to particles: they move with them in memory, are kept in restart files, and "
+	       "those of new particles are 0.\n\n"
 	       "In Python: set_fix_external_callback, fix_external_get_force, "
-	       "fix_external_set_energy_global, "
-	       "fix_external_set_energy_peratom, fix_external_set_vector_length, fix_external_set_vector, "
-	       "with the "
-	       "meaning that LAMMPS' manual gives them (doc/python.md). In C: tsim_external "
-	       "(doc/library.md).\n\n"
-	       "The energy counts in compute pe if `fix_modify ID energy yes` is set. Virials are not taken: "
-	       "pressures are of contacts, bonds and motion. With pf/callback, a run without a function is "
-	       "an error.",
+	       "fix_external_set_energy_global, fix_external_set_energy_peratom, "
+	       "fix_external_set_vector_length, fix_external_set_vector, with the meaning that LAMMPS' "
+	       "manual gives them (doc/python.md). In C: tsim_external (doc/library.md).\n\n"
+	       "The energy counts in compute pe if `fix_modify ID energy yes` is set. Virials are not "
+	       "taken: pressures are of contacts, bonds and motion. With pf/callback, a run without a "
+	       "function is an error.",
 	.example = "fix push all external pf/callback 1 1\nfix field grains external pf/array 1",
 	.args = args,
 	.state_size = sizeof(struct state),
