@@ -945,6 +945,7 @@ library_sources = \
 	src/math/convolution.h \
 	src/math/exactsum.c \
 	src/math/exactsum.h \
+	src/math/fifth_root.h \
 	src/math/fit.c \
 	src/math/fit.h \
 	src/math/fourier.c \

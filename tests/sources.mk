@@ -315,6 +315,7 @@ unit_tests = \
 	tests/library/check_library \
 	tests/library/check_library_null \
 	tests/library/check_library_steps \
+	tests/math/check_fifth_root \
 	tests/math/check_math \
 	tests/math/check_prince_dormand \
 	tests/mesh/check_mesh \
@@ -633,6 +634,10 @@ tests_library_check_library_null_LDADD = $(tests_ldadd)
 tests_library_check_library_steps_SOURCES = tests/library/check_library_steps.c
 tests_library_check_library_steps_CFLAGS = $(tests_cflags)
 tests_library_check_library_steps_LDADD = $(tests_ldadd)
+
+tests_math_check_fifth_root_SOURCES = tests/math/check_fifth_root.c
+tests_math_check_fifth_root_CFLAGS = $(tests_cflags)
+tests_math_check_fifth_root_LDADD = $(tests_ldadd)
 
 tests_math_check_math_SOURCES = tests/math/check_math.c
 tests_math_check_math_CFLAGS = $(tests_cflags)

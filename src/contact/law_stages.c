@@ -145,18 +145,27 @@ TS_INLINE void twisting_at(struct ts_stages *s, size_t k, const struct stage_tas
 
 /* ---- what is computed once for equal particles, or by iteration */
 
-/* Solves the stiffness of hooke once for successive contacts of equal R* and m*, as it needs a fifth root. */
-static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_pair *law)
+TS_CLONES static void compute_hooke_stiffness(struct ts_stages *s, size_t n,
+					      const struct ts_granular_pair *law)
 {
 	const double *r = s->r_eff, *m = s->m_eff;
+	double *solved = s->solved;
 
-	for (size_t k = 0; k < n; k++) {
-		bool same = k && r[k] == r[k - 1] && m[k] == m[k - 1];
+#pragma omp simd
+	for (size_t k = 0; k < n; k++)
+		solved[k] = ts_hooke_stiffness(law, &(struct ts_touch){ .r_eff = r[k], .m_eff = m[k] });
+}
 
-		s->solved[k] =
-			same ? s->solved[k - 1]
-			     : ts_hooke_stiffness(law, &(struct ts_touch){ .r_eff = r[k], .m_eff = m[k] });
-	}
+/* The stiffness of hooke, which needs a fifth root: once if R* and m* are those of all contacts. */
+static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_pair *law)
+{
+	size_t same = 1;
+
+	while (same < n && s->r_eff[same] == s->r_eff[0] && s->m_eff[same] == s->m_eff[0])
+		same++;
+	compute_hooke_stiffness(s, same < n ? n : 1, law);
+	for (size_t k = 1; same == n && k < n; k++)
+		s->solved[k] = s->solved[0];
 }
 
 /* Columns of struct ts_jkr_root. */
