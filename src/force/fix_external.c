@@ -214,7 +214,7 @@ static const struct ts_value values[] = {
 	{ "energy", "energy", "the energy that the program has given for all particles together", TS_SCALAR,
 	  1, NULL, eval_energy },
 	{ "vector", "", "the numbers that the program has given", TS_VECTOR, 0, NULL, eval_vector },
-	{ "particles", NULL, "force and energy of each particle as the program has given them", TS_PERATOM,
+	{ "particles", "", "force and energy of each particle as the program has given them", TS_PERATOM,
 	  WIDTH, components, eval_particles },
 	{ .name = NULL },
 };

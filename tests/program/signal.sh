@@ -292,5 +292,11 @@ endless 'rerun' two.dump "$box
 pair_style spring/dashpot
 pair_coeff * * stiffness 1e4 restitution 0.6
 rerun two.dump dump x y z" <<<"$frame"
-endless 'a restart file' three.restart 'read_restart three.restart' <<<'tsim restart'
+# a restart file is refused by its first bytes
+mkfifo three.restart
+yes 'tsim restart' >three.restart 2>/dev/null &
+timeout -k 5 20 "$TSIM" -log none <<<'read_restart three.restart' >out 2>&1
+grep -q "'three.restart' is not a restart file of tsim" out
+report 'an endless restart file' $? out
+wait $! 2>/dev/null
 finish
