@@ -945,13 +945,13 @@ library_sources = \
 	src/math/convolution.h \
 	src/math/exactsum.c \
 	src/math/exactsum.h \
-	src/math/fifth_root.h \
 	src/math/fit.c \
 	src/math/fit.h \
 	src/math/fourier.c \
 	src/math/fourier.h \
 	src/math/minstd.c \
 	src/math/minstd.h \
+	src/math/power_fifth.h \
 	src/math/prince_dormand.c \
 	src/math/prince_dormand.h \
 	src/math/quaternion.h \

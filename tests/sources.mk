@@ -315,8 +315,8 @@ unit_tests = \
 	tests/library/check_library \
 	tests/library/check_library_null \
 	tests/library/check_library_steps \
-	tests/math/check_fifth_root \
 	tests/math/check_math \
+	tests/math/check_power_fifth \
 	tests/math/check_prince_dormand \
 	tests/mesh/check_mesh \
 	tests/mesh/check_mesh_doctor \
@@ -635,13 +635,13 @@ tests_library_check_library_steps_SOURCES = tests/library/check_library_steps.c
 tests_library_check_library_steps_CFLAGS = $(tests_cflags)
 tests_library_check_library_steps_LDADD = $(tests_ldadd)
 
-tests_math_check_fifth_root_SOURCES = tests/math/check_fifth_root.c
-tests_math_check_fifth_root_CFLAGS = $(tests_cflags)
-tests_math_check_fifth_root_LDADD = $(tests_ldadd)
-
 tests_math_check_math_SOURCES = tests/math/check_math.c
 tests_math_check_math_CFLAGS = $(tests_cflags)
 tests_math_check_math_LDADD = $(tests_ldadd)
+
+tests_math_check_power_fifth_SOURCES = tests/math/check_power_fifth.c
+tests_math_check_power_fifth_CFLAGS = $(tests_cflags)
+tests_math_check_power_fifth_LDADD = $(tests_ldadd)
 
 tests_math_check_prince_dormand_SOURCES = tests/math/check_prince_dormand.c
 tests_math_check_prince_dormand_CFLAGS = $(tests_cflags)

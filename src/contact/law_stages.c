@@ -156,7 +156,7 @@ TS_CLONES static void compute_hooke_stiffness(struct ts_stages *s, size_t n,
 		solved[k] = ts_hooke_stiffness(law, &(struct ts_touch){ .r_eff = r[k], .m_eff = m[k] });
 }
 
-/* The stiffness of hooke, which needs a fifth root: once if R* and m* are those of all contacts. */
+/* The stiffness of hooke, which needs a power: once if R* and m* are those of all contacts. */
 static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_pair *law)
 {
 	size_t same = 1;

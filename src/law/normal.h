@@ -25,7 +25,7 @@
 #include "law/normal_area.h"
 #include "law/touch.h"
 #include "math/constants.h"
-#include "math/fifth_root.h"
+#include "math/power_fifth.h"
 
 #define TS_SQRT_5_6 0.91287092917527685576
 
@@ -50,7 +50,7 @@ TS_INLINE double ts_hooke_stiffness(const struct ts_granular_pair *c, const stru
 {
 	double a = sqrt(t->r_eff) * c->young;
 
-	return 16.0 / 15.0 * a * ts_fifth_root(15.0 / 16.0 * t->m_eff * c->velocity * c->velocity / a);
+	return 16.0 / 15.0 * a * ts_power_fifth(15.0 / 16.0 * t->m_eff * c->velocity * c->velocity / a);
 }
 
 TS_INLINE double ts_hooke_damping(double kn, double mass, double log_restitution)
