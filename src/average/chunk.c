@@ -71,13 +71,6 @@ static void keep_assigned_ids(struct ts_chunks *c, enum ts_chunk_moment moment, 
 	}
 }
 
-static int compare_ids(const void *a, const void *b)
-{
-	int64_t x = *(const int64_t *)a, y = *(const int64_t *)b;
-
-	return (x > y) - (x < y);
-}
-
 /* `compress yes`: renumbers the chunks that have particles 1, 2 ... in the order of their numbers. */
 static enum ts_status compress_ids(struct ts_chunks *c, int64_t *id)
 {
@@ -86,13 +79,14 @@ static enum ts_status compress_ids(struct ts_chunks *c, int64_t *id)
 	TS_TRY(TS_GROW(c->original, c->original_capacity, n + 1));
 	for (size_t i = 0; i < n; i++)
 		c->original[i] = id[i];
-	ts_sort(c->original, n, sizeof *c->original, compare_ids);
+	ts_sort(c->original, n, sizeof *c->original, ts_compare_int64);
 	for (size_t i = 0; i < n; i++)
 		if (c->original[i] > 0 && (kinds == 0 || c->original[i] != c->original[kinds - 1]))
 			c->original[kinds++] = c->original[i];
 	c->n = kinds;
 	for (size_t i = 0; i < n && kinds; i++) {
-		const int64_t *found = bsearch(&id[i], c->original, kinds, sizeof *c->original, compare_ids);
+		const int64_t *found =
+			bsearch(&id[i], c->original, kinds, sizeof *c->original, ts_compare_int64);
 
 		id[i] = found ? found - c->original + 1 : 0;
 	}
@@ -124,13 +118,6 @@ static enum ts_status pad_originals(struct ts_chunks *c, size_t kinds)
 	return TS_OK;
 }
 
-static int compare_tags(const void *a, const void *b)
-{
-	const int32_t *x = a, *y = b; /* {tag, row} */
-
-	return (x[0] > y[0]) - (x[0] < y[0]);
-}
-
 /* Lists the particles of each chunk sorted by id: a counting sort over particles sorted by id, so that sums
  * do not depend on the order in memory. */
 static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
@@ -148,7 +135,7 @@ static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
 		c->id[i] = id[i] > (int64_t)c->n ? 0 : (int32_t)id[i];
 		c->first[c->id[i] + 2] += c->id[i] > 0;
 	}
-	ts_sort(order, p->n, sizeof *order, compare_tags);
+	ts_sort(order, p->n, sizeof *order, ts_compare_int32);
 	for (size_t k = 2; k < c->n + 3; k++)
 		c->first[k] += c->first[k - 1];
 	/* first[k + 1] is the start of chunk k, and moves to its end as members are entered */

@@ -7,6 +7,18 @@
 
 #include "base/banned.h"
 
+#define COMPARE(name, type)                                            \
+	int name(const void *a, const void *b)                         \
+	{                                                              \
+		const type x = *(const type *)a, y = *(const type *)b; \
+                                                                       \
+		return (x > y) - (x < y);                              \
+	}
+COMPARE(ts_compare_int32, int32_t)
+COMPARE(ts_compare_int64, int64_t)
+COMPARE(ts_compare_double, double)
+#undef COMPARE
+
 enum { SHORT = 32, WIDE = 8 };
 
 /* Rank sort: the position of a key is the number of smaller keys. It needs more comparisons than other

@@ -6,6 +6,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+/* For ts_sort and bsearch: numbers in ascending order; of elements that begin with a number, by it. */
+int ts_compare_int32(const void *a, const void *b);
+int ts_compare_int64(const void *a, const void *b);
+int ts_compare_double(const void *a, const void *b);
+
 /* Sorts n distinct keys in ascending order; `spare`: scratch memory for n keys. */
 void ts_sort_keys(uint64_t *key, uint64_t *spare, size_t n);
 

@@ -43,13 +43,6 @@ static const struct ts_bed_grain *top_of(const struct state *s, size_t k)
 	return &s->surface.grain[s->surface.top[k]];
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
-
 enum which { SIDE1, SIDE2, HEIGHT };
 
 /* The median over all particles. */
@@ -65,7 +58,7 @@ static enum ts_status median(const struct state *s, enum which which, double *ou
 
 		x[k] = which == HEIGHT ? 0.5 * (g->height + g->bottom) : g->side[which];
 	}
-	ts_sort(x, n, sizeof *x, compare_numbers);
+	ts_sort(x, n, sizeof *x, ts_compare_double);
 	*out = n ? 0.5 * (x[(n - 1) / 2] + x[n / 2]) : 0;
 	ts_free(x);
 	return TS_OK;

@@ -36,20 +36,13 @@ enum ts_status ts_bed_frame_make(struct tsim *sim, const struct ts_instance *sel
 	return TS_OK;
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
-
 static int compare_grains(const void *a, const void *b)
 {
 	const struct ts_bed_grain *x = a, *y = b;
-	int order = compare_numbers(&x->cell[0], &y->cell[0]);
+	int order = ts_compare_double(&x->cell[0], &y->cell[0]);
 
-	order = order ? order : compare_numbers(&x->cell[1], &y->cell[1]);
-	order = order ? order : compare_numbers(&x->height, &y->height);
+	order = order ? order : ts_compare_double(&x->cell[1], &y->cell[1]);
+	order = order ? order : ts_compare_double(&x->height, &y->height);
 	return order ? order : (x->tag > y->tag) - (x->tag < y->tag);
 }
 
@@ -96,7 +89,7 @@ static enum ts_status find_base(struct ts_bed_surface *s)
 		return TS_NOMEM;
 	for (size_t k = 0; k < s->n; k++)
 		bottom[k] = s->grain[k].bottom;
-	ts_sort(bottom, s->n, sizeof *bottom, compare_numbers);
+	ts_sort(bottom, s->n, sizeof *bottom, ts_compare_double);
 	s->base = s->n ? bottom[quantile(s->n, 0.01)] : 0;
 	ts_free(bottom);
 	return TS_OK;
@@ -104,8 +97,8 @@ static enum ts_status find_base(struct ts_bed_surface *s)
 
 static bool are_in_one_column(const struct ts_bed_grain *a, const struct ts_bed_grain *b)
 {
-	return compare_numbers(&a->cell[0], &b->cell[0]) == 0 &&
-	       compare_numbers(&a->cell[1], &b->cell[1]) == 0;
+	return ts_compare_double(&a->cell[0], &b->cell[0]) == 0 &&
+	       ts_compare_double(&a->cell[1], &b->cell[1]) == 0;
 }
 
 enum ts_status ts_bed_surface_find(struct tsim *sim, int group, double column, double part,

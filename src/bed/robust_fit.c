@@ -69,13 +69,6 @@ static bool solve(const struct ts_robust_point *point, const double *weight, siz
 	return true;
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
-
 /* Weights from the residuals; `spare`: room for n numbers. */
 static void reweight(const struct ts_robust_point *point, size_t n, const struct ts_robust_fit *fit,
 		     double *weight, double *spare)
@@ -86,7 +79,7 @@ static void reweight(const struct ts_robust_point *point, size_t n, const struct
 	for (size_t i = 0; i < n; i++)
 		if (point[i].selected)
 			spare[m++] = fabs(point[i].y - ts_robust_value(fit, &point[i]));
-	ts_sort(spare, m, sizeof *spare, compare_numbers);
+	ts_sort(spare, m, sizeof *spare, ts_compare_double);
 	/* a floor far above rounding, for points exactly on the line; terms are of order 1 */
 	limit = 4.685 * fmax(1.4826 * spare[m / 2], 1e-7);
 	for (size_t i = 0; i < n; i++) {

@@ -3,18 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
+
 #include "base/banned.h"
-
-static int compare_tags(const void *a, const void *b)
-{
-	const int32_t *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
 
 bool ts_carried_leaves(const struct ts_leaving *leaving, int32_t tag)
 {
-	return leaving->n && bsearch(&tag, leaving->tag, leaving->n, sizeof tag, compare_tags);
+	return leaving->n && bsearch(&tag, leaving->tag, leaving->n, sizeof tag, ts_compare_int32);
 }
 
 static size_t stride(const struct ts_carried *rows)

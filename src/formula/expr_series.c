@@ -69,21 +69,14 @@ static enum ts_status eval_stderr(const double *x, size_t n, double *out)
 	return TS_OK;
 }
 
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
 static int descending(const void *a, const void *b)
 {
-	return ascending(b, a);
+	return ts_compare_double(b, a);
 }
 
 static void map_sort(double *x, size_t n)
 {
-	ts_sort(x, n, sizeof *x, ascending);
+	ts_sort(x, n, sizeof *x, ts_compare_double);
 }
 
 static void map_rsort(double *x, size_t n)

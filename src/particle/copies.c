@@ -51,13 +51,6 @@ int ts_copies_rank(const struct ts_copies *copies, size_t k)
 
 /* ---- copies by identity */
 
-static int compare_identities(const void *a, const void *b)
-{
-	const int32_t *x = a, *y = b;
-
-	return (x[0] > y[0]) - (x[0] < y[0]);
-}
-
 enum ts_status ts_copy_map_make(const struct tsim *sim, struct ts_copy_map *map)
 {
 	const int32_t *tag = sim->particles->tag + sim->particles->n;
@@ -70,14 +63,14 @@ enum ts_status ts_copy_map_make(const struct tsim *sim, struct ts_copy_map *map)
 		map->entry[k][0] = tag[k];
 		map->entry[k][1] = (int32_t)k;
 	}
-	ts_sort(map->entry, map->n, sizeof *map->entry, compare_identities);
+	ts_sort(map->entry, map->n, sizeof *map->entry, ts_compare_int32);
 	return TS_OK;
 }
 
 int32_t ts_copy_map_find(const struct ts_copy_map *map, int32_t tag)
 {
 	const int32_t *found =
-		map->n ? bsearch(&tag, map->entry, map->n, sizeof *map->entry, compare_identities) : NULL;
+		map->n ? bsearch(&tag, map->entry, map->n, sizeof *map->entry, ts_compare_int32) : NULL;
 
 	return found ? found[1] : -1;
 }

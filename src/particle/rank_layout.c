@@ -8,8 +8,8 @@
 /* Copies of the particles seen so far. */
 struct tally {
 	struct ts_rank_layout *layout;
-	int owner;	/* of the present particle */
-	uint64_t *pair; /* of ranks: owner times ranks plus the rank of the copy */
+	int owner;     /* of the present particle */
+	int64_t *pair; /* of ranks: owner times ranks plus the rank of the copy */
 	size_t n, capacity;
 	enum ts_status status;
 };
@@ -25,22 +25,15 @@ static void count_copy(void *context, int rank)
 	if (TS_GROW(t->pair, t->capacity, t->n + 1) != TS_OK)
 		t->status = TS_NOMEM;
 	else
-		t->pair[t->n++] = (uint64_t)t->owner * (uint64_t)t->layout->ranks + (uint64_t)rank;
-}
-
-static int compare_pairs(const void *a, const void *b)
-{
-	const uint64_t *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
+		t->pair[t->n++] = (int64_t)t->owner * t->layout->ranks + rank;
 }
 
 static void count_partners(struct tally *t)
 {
-	ts_sort(t->pair, t->n, sizeof *t->pair, compare_pairs);
+	ts_sort(t->pair, t->n, sizeof *t->pair, ts_compare_int64);
 	for (size_t k = 0; k < t->n; k++)
 		if (!k || t->pair[k] != t->pair[k - 1])
-			t->layout->part[t->pair[k] / (uint64_t)t->layout->ranks].partners++;
+			t->layout->part[t->pair[k] / t->layout->ranks].partners++;
 }
 
 static enum ts_status count(const struct tsim *sim, const struct ts_rank_blocks *blocks, double cutoff,

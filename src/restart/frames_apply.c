@@ -45,13 +45,6 @@ static enum ts_status find_id(const struct frame_import *u, int *column)
 		       u->f->lines.file, (long long)u->f->step);
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-	const double *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
-
 /* Refuses frames in which an id occurs twice. Dumps of tsim are sorted, others are sorted here. */
 static enum ts_status refuse_repeated_ids(const struct frame_import *u)
 {
@@ -69,7 +62,7 @@ static enum ts_status refuse_repeated_ids(const struct frame_import *u)
 		return ts_nomem(&u->sim->error);
 	for (size_t r = 0; r < u->f->n; r++)
 		ids[r] = frame_value(u, r, id);
-	ts_sort(ids, u->f->n, sizeof *ids, compare_numbers);
+	ts_sort(ids, u->f->n, sizeof *ids, ts_compare_double);
 	for (size_t r = 1; r < u->f->n && twice == 0; r++)
 		if (ids[r - 1] == ids[r])
 			twice = ids[r];
