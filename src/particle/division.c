@@ -40,8 +40,7 @@ static enum ts_status choose_grid(struct tsim *sim, int ranks, double (*x)[3], s
 	if (ts_rank_blocks_choose(ranks, domain->processors, length, sim->dimension, count))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 0, NULL),
-		       "processors: %d ranks cannot be arranged in a grid of %d x %d x %d (0: any "
-		       "number)",
+		       "processors: %d ranks cannot be arranged in a grid of %d x %d x %d (0: any number)",
 		       ranks, domain->processors[0], domain->processors[1], domain->processors[2]);
 }
 
@@ -155,7 +154,6 @@ void ts_division_free(struct ts_division *d)
 	ts_free(d->carried);
 	ts_str_release(&d->said);
 	ts_parcel_release(&d->look.ghosts);
-	ts_parcel_release(&d->look.others);
 	ts_rank_blocks_release(&d->blocks);
 	ts_copies_release(&d->copies, d->ranks);
 	ts_free(d);
@@ -330,6 +328,17 @@ static enum ts_status append_particles(struct tsim *sim, const struct ts_parcel 
 	return TS_OK;
 }
 
+/* Appends the rows of all local particles. */
+static enum ts_status pack_particles(const struct ts_particles *p, struct ts_parcel *out)
+{
+	size_t bytes = ts_copies_row_bytes(p);
+	unsigned char *to = ts_parcel_extend(out, p->n * bytes);
+
+	for (size_t i = 0; to && i < p->n; i++)
+		ts_copies_write(p, i, to + i * bytes);
+	return to ? TS_OK : TS_NOMEM;
+}
+
 /* Particles with to[i] of other ranks are sent there. */
 static enum ts_status send_particles(struct tsim *sim, const int32_t *to, unsigned char *gone)
 {
@@ -368,13 +377,6 @@ static enum ts_status send_all(struct tsim *sim, const int32_t *to, unsigned cha
 	return take_all(sim, d);
 }
 
-static int compare_tags(const void *a, const void *b)
-{
-	const int32_t *x = a, *y = b;
-
-	return (*x > *y) - (*x < *y);
-}
-
 /* to[i]: the rank of the particle's position. */
 static enum ts_status find_leaving(struct tsim *sim, int32_t *to, struct ts_leaving *leaving)
 {
@@ -389,7 +391,7 @@ static enum ts_status find_leaving(struct tsim *sim, int32_t *to, struct ts_leav
 			return ts_nomem(&sim->error);
 		leaving->tag[leaving->n++] = p->tag[i];
 	}
-	ts_sort(leaving->tag, leaving->n, sizeof *leaving->tag, compare_tags);
+	ts_sort(leaving->tag, leaving->n, sizeof *leaving->tag, ts_compare_int32);
 	return TS_OK;
 }
 
@@ -526,39 +528,33 @@ static size_t move_rows(const struct ts_particles *p, size_t columns, size_t fro
 	return at;
 }
 
-static enum ts_status save_ghosts(struct tsim *sim, struct ts_look *look)
+static enum ts_status save_ghosts(const struct ts_particles *p, struct ts_look *look)
 {
-	const struct ts_particles *p = sim->particles;
-	size_t bytes = move_rows(p, p->ncolumns, p->n, p->nghost, true, NULL);
 	unsigned char *to;
 
 	look->n = p->n;
 	look->nghost = p->nghost;
 	look->columns = p->ncolumns;
 	look->ghosts.n = 0;
-	to = ts_parcel_extend(&look->ghosts, bytes);
+	to = ts_parcel_extend(&look->ghosts, p->nghost * ts_copies_row_bytes(p));
 	if (!to)
-		return ts_nomem(&sim->error);
+		return TS_NOMEM;
 	move_rows(p, look->columns, p->n, p->nghost, true, to);
 	return TS_OK;
 }
 
 static enum ts_status begin_look(struct tsim *sim, struct ts_division *d)
 {
-	struct ts_look *look = &d->look;
-	const struct ts_particles *p = sim->particles;
-	struct ts_parcel mine = { 0 };
-	enum ts_status status = save_ghosts(sim, look);
-	size_t bytes = p->n * ts_copies_row_bytes(p);
-	unsigned char *to = status == TS_OK ? ts_parcel_extend(&mine, bytes) : NULL;
+	struct ts_parcel mine = { 0 }, others = { 0 };
+	enum ts_status status = save_ghosts(sim->particles, &d->look);
 
-	for (size_t i = 0; to && i < p->n; i++, to += bytes / p->n)
-		ts_copies_write(p, i, to);
-	look->others.n = 0;
 	if (status == TS_OK)
-		status = mine.data ? ts_world_share_others(sim->world, &mine, &look->others) : TS_NOMEM;
-	status = status == TS_OK ? append_particles(sim, &look->others) : ts_nomem(&sim->error);
+		status = pack_particles(sim->particles, &mine);
+	if (status == TS_OK)
+		status = ts_world_share_others(sim->world, &mine, &others);
+	status = status == TS_OK ? append_particles(sim, &others) : ts_nomem(&sim->error);
 	ts_parcel_release(&mine);
+	ts_parcel_release(&others);
 	sim->run.looks = true;
 	return status;
 }
@@ -603,10 +599,8 @@ static enum ts_status share_particles(struct tsim *sim, struct ts_division *d)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_parcel mine = { 0 }, all = { 0 };
-	enum ts_status status = TS_OK;
+	enum ts_status status = pack_particles(p, &mine);
 
-	for (size_t i = 0; i < p->n && status == TS_OK; i++)
-		status = ts_copies_pack(p, i, &mine);
 	if (status == TS_OK)
 		status = ts_world_share(sim->world, &mine, &all);
 	p->n = p->nghost = d->copies.n = 0;
@@ -638,6 +632,15 @@ static enum ts_status print_warnings(struct tsim *sim, struct ts_division *d)
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+/* The ranks have the same particles from here on. */
+static enum ts_status leave_division(struct tsim *sim, struct ts_division *d)
+{
+	TS_TRY(print_warnings(sim, d));
+	listen(sim, NULL);
+	sim->division = NULL;
+	return TS_OK;
+}
+
 static enum ts_status join_sums(struct tsim *sim)
 {
 	for (int kind = 0; kind < TS_NKIND; kind++)
@@ -662,28 +665,30 @@ static bool blocks_are_uneven(struct tsim *sim, struct ts_division *d)
 	return n[0] > UNEVEN * (double)d->cut_most + FEW;
 }
 
+/* All ranks get all particles and the rows of all carriers, and make the lists again. */
+static enum ts_status gather_all(struct ts_plan *plan, struct tsim *sim, struct ts_division *d)
+{
+	TS_TRY(give_all(sim, d, true, NULL));
+	for (size_t k = 0; k < d->ncarried; k++)
+		TS_TRY(keep_local_rows(sim, &d->carried[k]));
+	TS_TRY(share_particles(sim, d));
+	for (size_t k = 0; k < d->ncarried; k++)
+		TS_TRY(share_rows(sim, &d->carried[k]));
+	TS_TRY(leave_division(sim, d));
+	d->listed++;
+	TS_TRY(take_all(sim, d));
+	return remake_lists(plan, sim, d);
+}
+
 enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool lists)
 {
 	struct ts_division *d = sim->division;
-	bool whole;
 
 	ts_deferred_loops_run(sim);
 	TS_TRY(join_sums(sim));
-	whole = blocks_are_uneven(sim, d) || sim->run.uneven || lists;
-	if (whole)
-		TS_TRY(give_all(sim, d, true, NULL));
-	for (size_t k = 0; whole && k < d->ncarried; k++)
-		TS_TRY(keep_local_rows(sim, &d->carried[k]));
-	TS_TRY(whole ? share_particles(sim, d) : begin_look(sim, d));
-	for (size_t k = 0; whole && k < d->ncarried; k++)
-		TS_TRY(share_rows(sim, &d->carried[k]));
-	TS_TRY(print_warnings(sim, d));
-	listen(sim, NULL);
-	sim->division = NULL;
 	d->gathered++;
-	d->listed += whole;
-	if (!whole)
-		return TS_OK;
-	TS_TRY(take_all(sim, d));
-	return remake_lists(plan, sim, d);
+	if (blocks_are_uneven(sim, d) || sim->run.uneven || lists)
+		return gather_all(plan, sim, d);
+	TS_TRY(begin_look(sim, d));
+	return leave_division(sim, d);
 }

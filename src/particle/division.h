@@ -18,7 +18,7 @@ struct ts_plan;
 struct ts_look {
 	size_t n, nghost; /* own particles and ghosts */
 	size_t columns;	  /* numbers of the ghosts in each of the first `columns` columns that is active */
-	struct ts_parcel ghosts, others;
+	struct ts_parcel ghosts;
 };
 
 struct ts_division {
