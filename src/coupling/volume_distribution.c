@@ -237,9 +237,10 @@ TS_INLINE bool divide_over_few(const struct ts_grid *grid, const struct ts_coupl
 	return true;
 }
 
-void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how,
-				  const double place[3], const int cell[3], double radius,
-				  ts_coupling_volume_fn *visit, void *context)
+/* Any particle. */
+static void divide_over_many(const struct ts_grid *grid, const struct ts_coupling_volume *how,
+			     const double place[3], const int cell[3], double radius,
+			     ts_coupling_volume_fn *visit, void *context)
 {
 	double reach = half_width(how, radius);
 	double unit = how->disc ? radius * radius * grid->width[2][cell[2]] : radius * radius * radius;
@@ -251,8 +252,6 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 		visit(context, cell, volume);
 		return;
 	}
-	if (divide_over_few(grid, how, place, cell, radius, visit, context))
-		return;
 	for (int d = 0; d < 3; d++) {
 		if (grid->ghosts[d] == 0)
 			span_one_cell(d, s);
@@ -264,6 +263,14 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 		distribute_exactly(s, how->disc, unit, &to);
 	else
 		distribute_by_kernel(s, volume, &to);
+}
+
+void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how,
+				  const double place[3], const int cell[3], double radius,
+				  ts_coupling_volume_fn *visit, void *context)
+{
+	if (!divide_over_few(grid, how, place, cell, radius, visit, context))
+		divide_over_many(grid, how, place, cell, radius, visit, context);
 }
 
 struct sum {
@@ -285,5 +292,5 @@ void ts_coupling_volume_add(const struct ts_grid *grid, const struct ts_coupling
 	struct sum sum = { grid, fraction };
 
 	if (!divide_over_few(grid, how, place, cell, radius, add_fraction, &sum))
-		ts_coupling_volume_each_cell(grid, how, place, cell, radius, add_fraction, &sum);
+		divide_over_many(grid, how, place, cell, radius, add_fraction, &sum);
 }
