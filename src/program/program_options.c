@@ -183,26 +183,14 @@ static int set_shell(struct tsim *sim, const char *text)
 	return 0;
 }
 
-static int set_threads(struct tsim *sim, const char *text)
+/* `range`: "1024 after -threads", with the largest number. */
+static int set_count(int *out, const char *text, int most, const char *range)
 {
 	int64_t n;
 
-	if (!ts_parse_int(text, &n) || n < 1 || n > 1024)
-		return ts_program_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s",
-					      text, "");
-	sim->threads = (int)n;
-	return 0;
-}
-
-static int set_ranks(struct tsim *sim, const char *text)
-{
-	int64_t n;
-
-	if (!ts_parse_int(text, &n) || n < 1 || n > TS_RANKS_MOST)
-		return ts_program_usage_error("expected a number from 1 to a million after -ranks, found "
-					      "'%s'%s",
-					      text, "");
-	sim->reading.ranks = (int)n;
+	if (!ts_parse_int(text, &n) || n < 1 || n > most)
+		return ts_program_usage_error("expected a number from 1 to %s, found '%s'", range, text);
+	*out = (int)n;
 	return 0;
 }
 
@@ -371,6 +359,28 @@ static int apply_page(struct ts_setup *setup, enum option_id id, char *const *va
 	return 0;
 }
 
+/* Options by which the script is read, planned, varied or compared instead of run. */
+static int apply_plan(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value, int n)
+{
+	switch (id) {
+	case OPT_EXPLAIN:
+		sim->reading.explain = setup->explain = true;
+		return 0;
+	case OPT_RANKS:
+		return set_count(&sim->reading.ranks, value[0], TS_RANKS_MOST, "a million after -ranks");
+	case OPT_FULL:
+		return set_full(sim, value, n);
+	case OPT_CHECK:
+		setup->check = true;
+		return ts_script_check(sim->script_api_data) == TS_OK ? 0 : TS_EXIT_USAGE;
+	case OPT_ADVISE:
+		setup->advised = true;
+		return add_words(&setup->advise, NULL, value, n);
+	default: /* OPT_CROSSCHECK */
+		return add_words(&setup->crosscheck, NULL, value, n);
+	}
+}
+
 static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value,
 			int n)
 {
@@ -394,7 +404,7 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 		return set_echo(sim, value[0]);
 	case OPT_THREADS:
 		return usage_status(add_words(&setup->own, "-threads", value, n) ||
-				    set_threads(sim, value[0]));
+				    set_count(&sim->threads, value[0], 1024, "1024 after -threads"));
 	case OPT_LEGACY:
 		sim->legacy = true;
 		break;
@@ -411,23 +421,9 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 	case OPT_SHELL:
 		setup->programs = ts_streq(value[0], "yes");
 		return usage_status(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
-	case OPT_EXPLAIN:
-		sim->reading.explain = setup->explain = true;
-		break;
-	case OPT_RANKS:
-		return set_ranks(sim, value[0]);
-	case OPT_FULL:
-		return set_full(sim, value, n);
-	case OPT_CHECK:
-		setup->check = true;
-		return ts_script_check(sim->script_api_data) == TS_OK ? 0 : TS_EXIT_USAGE;
-	case OPT_ADVISE:
-		setup->advised = true;
-		return add_words(&setup->advise, NULL, value, n);
-	case OPT_CROSSCHECK:
-		return add_words(&setup->crosscheck, NULL, value, n);
 	default:
-		return id < OPT_PLOT   ? apply_study(setup, id, value, n)
+		return id < OPT_SWEEP  ? apply_plan(sim, setup, id, value, n)
+		       : id < OPT_PLOT ? apply_study(setup, id, value, n)
 		       : id < OPT_HELP ? apply_plot(setup, id, value, n)
 				       : apply_page(setup, id, value, n);
 	}
@@ -459,16 +455,12 @@ static int check_together(const struct tsim *sim, const struct ts_setup *setup)
 
 	if (!setup->plots && setup->plot_words)
 		return ts_program_usage_error("-x, -right, -style, -mark, -panels, -o, -xrange, -yrange, "
-					      "-rightrange, "
-					      "-part, -by, -title, -xlabel, -ylabel, -rightlabel and -size "
-					      "belong to "
-					      "-plot, which is "
-					      "not given%s%s",
+					      "-rightrange, -part, -by, -title, -xlabel, -ylabel, "
+					      "-rightlabel and -size belong to -plot, which is not given%s%s",
 					      "", "");
 	if (sim->reading.ranks && !setup->explain && !setup->check)
 		return ts_program_usage_error("-ranks belongs to -explain or -check, and neither is given; "
-					      "several "
-					      "ranks are started by mpirun -np N%s%s",
+					      "several ranks are started by mpirun -np N%s%s",
 					      "", "");
 	if (!setup->studied && left)
 		return ts_program_usage_error("-vary, -replicate, -tolerance, -j and -results belong to "
