@@ -237,12 +237,19 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 	return ts_textfile_flush(&s->out);
 }
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	int64_t step = sim->clock.step;
 
-	if (step % s->every != 0 || step < s->start || step == s->last)
+	if (!due(self, sim) || step == s->last)
 		return TS_OK;
 	s->last = step;
 	s->newest = (s->newest + 1) % s->repeat;
@@ -355,13 +362,6 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
-}
-
 TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
 const struct ts_style ts_fix_ave_correlate = {
 	.name = "ave/correlate",
@@ -371,12 +371,8 @@ const struct ts_style ts_fix_ave_correlate = {
 	.summary = "Time correlation functions of global values",
 	.doc = "Calculates the time correlation functions of pairs of values,\n\n"
 	       "    C_ij(lag) = prefactor < V_i(t) V_j(t + lag) >\n\n"
-	       "where < > is the mean over all samples. Every Nfreq steps the results are updated and written "
-	       "to the file; with `ave one` the sums are then set to zero, and the sample of that step is the "
-	       "first of the next result. trap(f_ID[3]) is the integral of the first correlation over the lag "
-	       "in units of Nevery steps.",
-	.example = "fix memory all ave/correlate 5 20 1000 c_force[1] c_force[2] type auto ave running file "
-		   "acf.txt",
+	       "where < > is the mean over all samples. Every Nfreq steps the results are updated and written to the file; with `ave one` the sums are then set to zero, and the sample of that step is the first of the next result. trap(f_ID[3]) is the integral of the first correlation over the lag in units of Nevery steps.",
+	.example = "fix memory all ave/correlate 5 20 1000 c_force[1] c_force[2] type auto ave running file acf.txt",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

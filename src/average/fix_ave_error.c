@@ -49,13 +49,20 @@ static enum ts_status evaluate(struct state *s, struct tsim *sim, size_t *n)
 	return ts_ref_list_scalars(sim, &s->input, s->sample.data);
 }
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 static enum ts_status take_sample(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	int64_t step = sim->clock.step;
 	size_t n;
 
-	if (step % s->every != 0 || step < s->start || (s->started && step == s->last))
+	if (!due(self, sim) || (s->started && step == s->last))
 		return TS_OK;
 	TS_TRY(evaluate(s, sim, &n));
 	if (s->started && n != s->blocks.n)
@@ -164,13 +171,6 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_I64(struct state, blocks.inside), TS_SAVED_ROWS_END,
 };
 
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
-}
-
 TS_STYLE(fix, ts_style, ts_fix_ave_error)
 const struct ts_style ts_fix_ave_error = {
 	.name = "ave/error",
@@ -178,25 +178,11 @@ const struct ts_style ts_fix_ave_error = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Time averages with standard errors",
-	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of Nevery, "
-	       "and averages each value over all of them. f_ID[i][1] is the mean of value i (with `mode "
-	       "vector` of element i), f_ID[i][2] its standard error.\n\n"
-	       "Successive samples are correlated, so that their scatter alone gives too small an error. The "
-	       "samples are therefore averaged in successive blocks of equal length, whose number grows to "
-	       "`blocks`; then pairs of blocks are joined and their length doubles. With m = blocks/2 to "
-	       "blocks block means b_k of mean b the standard error is\n\n"
+	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of Nevery, and averages each value over all of them. f_ID[i][1] is the mean of value i (with `mode vector` of element i), f_ID[i][2] its standard error.\n\n"
+	       "Successive samples are correlated, so that their scatter alone gives too small an error. The samples are therefore averaged in successive blocks of equal length, whose number grows to `blocks`; then pairs of blocks are joined and their length doubles. With m = blocks/2 to blocks block means b_k of mean b the standard error is\n\n"
 	       "    sqrt(sum (b_k - b)^2 / (m (m - 1)))\n\n"
-	       "It is valid if the blocks are much longer than the correlation time of the values, which "
-	       "f_ID[i][4] shows: the correlation coefficient of successive block means, near 0 (within about "
-	       "2/sqrt(m)) if they are independent. The error itself is uncertain by the fraction 1/sqrt(2 "
-	       "m).\n\n"
-	       "f_ID[i][3] tests whether the state is steady: the mean of the second half of the blocks minus "
-	       "that of the first, divided by the standard error of this difference. Of steady data it is "
-	       "within -2 and 2 in 19 cases of 20; beyond 3 the values drift. Errors, trends and correlations "
-	       "are NaN before there are two, four, four blocks. To leave out the initial transient, define "
-	       "the fix after a first run, or use `start`; also for averages of other fixes, which are 0 "
-	       "before the first of them is complete (after `reset_timestep 0` the first average of N steps "
-	       "is complete at step N). Averages in progress are saved in restart files.",
+	       "It is valid if the blocks are much longer than the correlation time of the values, which f_ID[i][4] shows: the correlation coefficient of successive block means, near 0 (within about 2/sqrt(m)) if they are independent. The error itself is uncertain by the fraction 1/sqrt(2 m).\n\n"
+	       "f_ID[i][3] tests whether the state is steady: the mean of the second half of the blocks minus that of the first, divided by the standard error of this difference. Of steady data it is within -2 and 2 in 19 cases of 20; beyond 3 the values drift. Errors, trends and correlations are NaN before there are two, four, four blocks. To leave out the initial transient, define the fix after a first run, or use `start`; also for averages of other fixes, which are 0 before the first of them is complete (after `reset_timestep 0` the first average of N steps is complete at step N). Averages in progress are saved in restart files.",
 	.example = "fix load all ave/error 100 c_push[2] v_traction\n"
 		   "fix profile all ave/error 100 c_T[1] mode vector blocks 64\n"
 		   "print \"load $(f_load[1][1]) +- $(f_load[1][2])\"",

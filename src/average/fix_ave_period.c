@@ -120,13 +120,20 @@ static void begin_tallies(struct state *s)
 	s->seen = 1;
 }
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	int64_t step = sim->clock.step;
 	double time = ts_sim_time(sim);
 
-	if (step % s->every != 0 || step < s->start || (s->seen && step == s->step))
+	if (!due(self, sim) || (s->seen && step == s->step))
 		return TS_OK;
 	TS_TRY(ts_ref_list_scalars(sim, &s->input, s->now));
 	if (s->seen)
@@ -242,13 +249,6 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, end),
 	TS_SAVED_ROWS_END,
 };
-
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
-}
 
 TS_STYLE(fix, ts_style, ts_fix_ave_period)
 const struct ts_style ts_fix_ave_period = {

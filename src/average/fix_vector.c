@@ -22,12 +22,19 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_ref_list_init(sim, "fix vector", &self->arena, s->words, TS_WANT(SCALAR), &s->input);
 }
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
+}
+
 static enum ts_status collect_sample(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	int64_t step = sim->clock.step;
 
-	if (step % s->every != 0 || step < s->start || (s->n && step == s->last))
+	if (!due(self, sim) || (s->n && step == s->last))
 		return TS_OK;
 	if (TS_GROW(s->sample, s->capacity, s->n + s->input.n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -101,13 +108,6 @@ static const struct ts_value values[] = {
 
 static const struct ts_saved saved[] = { TS_SAVE_I64(struct state, last), TS_SAVED_ROWS_END };
 
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return sim->clock.step % s->every == 0 && sim->clock.step >= s->start;
-}
-
 TS_STYLE(fix, ts_style, ts_fix_vector)
 const struct ts_style ts_fix_vector = {
 	.name = "vector",
@@ -115,10 +115,7 @@ const struct ts_style ts_fix_vector = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Collects global values every N steps into a growing vector or array",
-	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of N, at "
-	       "most once per step. A single value makes a vector, several values an array with a column for "
-	       "each: slope(f_ID[2]) is the slope of the second value over the sample number. All samples are "
-	       "saved in restart files.",
+	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of N, at most once per step. A single value makes a vector, several values an array with a column for each: slope(f_ID[2]) is the slope of the second value over the sample number. All samples are saved in restart files.",
 	.example = "fix heights all vector 100 f_bit[1]\n"
 		   "fix path all vector 10 time c_centre[*]",
 	.args = args,

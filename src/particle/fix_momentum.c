@@ -69,13 +69,20 @@ static void twice_kinetic_energy_term(const struct tsim *sim, size_t i, void *co
 	term[0] = p->mass[i] * ts_dot(p->v[i], p->v[i]);
 }
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
 	double before = 0, after = 0, factor;
 
-	if (sim->clock.step % s->every != 0)
+	if (!due(self, sim))
 		return TS_OK;
 	if (s->rescale)
 		ts_group_sum(sim, self->group, 1, twice_kinetic_energy_term, NULL, &before);
@@ -105,13 +112,6 @@ static const struct ts_arg args[] = {
 		.help = "scale the velocities to keep the kinetic energy of translation"),
 	TS_ARGS_END,
 };
-
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return sim->clock.step % s->every == 0;
-}
 
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 const struct ts_style ts_fix_momentum = {

@@ -72,13 +72,16 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return store_inputs(self, sim);
 }
 
-static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+static bool due(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct state *s = self->state;
 
-	if (s->every == 0 || sim->clock.step % s->every != 0)
-		return TS_OK;
-	return store_inputs(self, sim);
+	return s->every > 0 && sim->clock.step % s->every == 0;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	return due(self, sim) ? store_inputs(self, sim) : TS_OK;
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -128,13 +131,6 @@ static const struct ts_value values[] = {
 	  .eval = eval },
 	{ .name = NULL },
 };
-
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return s->every > 0 && sim->clock.step % s->every == 0;
-}
 
 TS_STYLE(fix, ts_style, ts_fix_store_state)
 const struct ts_style ts_fix_store_state = {

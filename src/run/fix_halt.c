@@ -145,6 +145,13 @@ static bool holds(int comparison, double a, double b)
 	}
 }
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 /* If the condition holds, this step becomes the last one of the run. */
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
@@ -152,7 +159,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	char text[160];
 	double value;
 
-	if (sim->clock.step % s->every != 0)
+	if (!due(self, sim))
 		return TS_OK;
 	TS_TRY(s->measure(self, sim, &value));
 	if (!holds(s->comparison, value, s->limit))
@@ -193,13 +200,6 @@ static const struct ts_arg args[] = {
 		.help = "for diskfree: a file or folder on that disk"),
 	TS_ARGS_END,
 };
-
-static bool due(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	return sim->clock.step % s->every == 0;
-}
 
 TS_STYLE(fix, ts_style, ts_fix_halt)
 const struct ts_style ts_fix_halt = {
