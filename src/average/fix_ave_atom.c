@@ -130,13 +130,8 @@ const struct ts_style ts_fix_ave_atom = {
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_average_waits,
 	.summary = "Time averages of per-particle values",
-	.doc = "Calculates every Nfreq steps, for each particle of the group, the mean of Nrepeat samples "
-	       "taken Nevery steps apart, the last at that step. f_ID[k] is the average of value k, f_ID that "
-	       "of a single value; 0 before the first average. For a particle that is inserted in the middle "
-	       "of an average, the missed samples count as 0. Averages in progress are saved in restart "
-	       "files.",
-	.example = "fix slow all ave/atom 10 100 1000 vx vy vz\ndump d all custom 1000 post/slow*.txt id "
-		   "f_slow[1]",
+	.doc = "Calculates every Nfreq steps, for each particle of the group, the mean of Nrepeat samples taken Nevery steps apart, the last at that step. f_ID[k] is the average of value k, f_ID that of a single value; 0 before the first average. For a particle that is inserted in the middle of an average, the missed samples count as 0. Averages in progress are saved in restart files.",
+	.example = "fix slow all ave/atom 10 100 1000 vx vy vz\ndump d all custom 1000 post/slow*.txt id f_slow[1]",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

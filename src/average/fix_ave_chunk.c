@@ -65,22 +65,11 @@ const struct ts_style ts_fix_ave_chunk = {
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_average_waits,
 	.summary = "Averages over chunks of particles and over time",
-	.doc = "Calculates every Nfreq steps, from Nrepeat samples taken Nevery steps apart, the last at that "
-	       "step, for each chunk of compute chunk/atom the mean of each value over the particles of the "
-	       "group in it. density/number and density/mass are number and mass of the particles divided by "
-	       "the volume of the bin (of the box, for chunks that are not bins); temp is the temperature\n\n"
+	.doc = "Calculates every Nfreq steps, from Nrepeat samples taken Nevery steps apart, the last at that step, for each chunk of compute chunk/atom the mean of each value over the particles of the group in it. density/number and density/mass are number and mass of the particles divided by the volume of the bin (of the box, for chunks that are not bins); temp is the temperature\n\n"
 	       "    T = sum m v^2 / (k_B (adof N + cdof))\n\n"
-	       "and temp/granular the granular temperature |v - u|^2/D in velocity^2, with u the mean "
-	       "velocity of the particles of the chunk in each sample and D the dimension (compute "
-	       "temp/granular).\n\n"
-	       "`norm all` divides the sums over all samples by the number of particles in all samples; `norm "
-	       "sample` divides the sums of each sample by its number of particles and averages the "
-	       "quotients; `norm none` divides by the number of samples only. `ave` combines successive "
-	       "averages.\n\n"
-	       "The file has a block for each average: a line with step, number of chunks and total count, "
-	       "then for each chunk its number, with compress its original number, its coordinates, mean "
-	       "count, and values. f_ID[i][j] are the columns after the chunk number. Sums over particles are "
-	       "exact and rounded once; averages in progress are saved in restart files.",
+	       "and temp/granular the granular temperature |v - u|^2/D in velocity^2, with u the mean velocity of the particles of the chunk in each sample and D the dimension (compute temp/granular).\n\n"
+	       "`norm all` divides the sums over all samples by the number of particles in all samples; `norm sample` divides the sums of each sample by its number of particles and averages the quotients; `norm none` divides by the number of samples only. `ave` combines successive averages.\n\n"
+	       "The file has a block for each average: a line with step, number of chunks and total count, then for each chunk its number, with compress its original number, its coordinates, mean count, and values. f_ID[i][j] are the columns after the chunk number. Sums over particles are exact and rounded once; averages in progress are saved in restart files.",
 	.example = "compute layers all chunk/atom bin/1d z lower 0.01 units box\n"
 		   "fix profile all ave/chunk 10 10 1000 layers vx density/mass temp file post/profile.txt",
 	.args = args,

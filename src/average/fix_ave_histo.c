@@ -33,17 +33,8 @@ const struct ts_style ts_fix_ave_histo = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Histograms of values over time",
-	.doc = "Calculates every Nfreq steps a histogram of all numbers that the values have in Nrepeat "
-	       "samples taken Nevery steps apart, the last at that step: numbers of the particles of the "
-	       "group, elements of vectors, rows of local arrays; with `mode scalar` global scalars. Nbin "
-	       "bins divide the range lo to hi evenly; hi itself belongs to the last bin. Values outside the "
-	       "range, and those that are not a number, are counted as missing; with `beyond end` values "
-	       "outside are counted in the first or last bin, with `beyond extra` in one additional bin on "
-	       "either side. `ave running` and `ave window` add histograms up.\n\n"
-	       "f_ID[1] is the total count in all bins, f_ID[2] that of missing values, f_ID[3] and f_ID[4] "
-	       "are the smallest and largest value; f_ID[i][1], f_ID[i][2], f_ID[i][3] are the centre, the "
-	       "count, and the fraction of the total of bin i. Histograms in progress are saved in restart "
-	       "files.",
+	.doc = "Calculates every Nfreq steps a histogram of all numbers that the values have in Nrepeat samples taken Nevery steps apart, the last at that step: numbers of the particles of the group, elements of vectors, rows of local arrays; with `mode scalar` global scalars. Nbin bins divide the range lo to hi evenly; hi itself belongs to the last bin. Values outside the range, and those that are not a number, are counted as missing; with `beyond end` values outside are counted in the first or last bin, with `beyond extra` in one additional bin on either side. `ave running` and `ave window` add histograms up.\n\n"
+	       "f_ID[1] is the total count in all bins, f_ID[2] that of missing values, f_ID[3] and f_ID[4] are the smallest and largest value; f_ID[i][1], f_ID[i][2], f_ID[i][3] are the centre, the count, and the fraction of the total of bin i. Histograms in progress are saved in restart files.",
 	.example = "fix speeds all ave/histo 10 100 1000 0 2.5 50 v_speed file post/speeds.txt",
 	.args = args,
 	.groups = groups,

@@ -39,8 +39,7 @@ const struct ts_style ts_fix_ave_histo_weight = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Histograms of weighted values over time",
-	.doc = "As fix ave/histo for the first value; each number adds the corresponding number of the second "
-	       "value, its weight, to the count of its bin instead of 1.",
+	.doc = "As fix ave/histo for the first value; each number adds the corresponding number of the second value, its weight, to the count of its bin instead of 1.",
 	.example = "fix heights all ave/histo/weight 10 100 1000 0 0.1 20 z mass file post/heights.txt",
 	.args = args,
 	.groups = groups,

@@ -342,12 +342,7 @@ const struct ts_style ts_fix_ave_time = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Time averages of global values",
-	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, the last "
-	       "at that step: with 2 6 100 the samples of steps 90, 92, 94, 96, 98, 100. f_ID[k] is the "
-	       "average of value k, f_ID that of the first; with `mode vector` f_ID[i] is element i of the "
-	       "first vector, f_ID[i][k] that of the k-th. Averages are 0 before the first one is complete. A "
-	       "value that is `off` is that of the last sample. Averages in progress are saved in restart "
-	       "files.",
+	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, the last at that step: with 2 6 100 the samples of steps 90, 92, 94, 96, 98, 100. f_ID[k] is the average of value k, f_ID that of the first; with `mode vector` f_ID[i] is element i of the first vector, f_ID[i][k] that of the k-th. Averages are 0 before the first one is complete. A value that is `off` is that of the last sample. Averages in progress are saved in restart files.",
 	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
 	.args = args,
 	.groups = groups,

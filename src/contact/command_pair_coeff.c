@@ -31,8 +31,7 @@ const struct ts_command_style ts_command_pair_coeff = {
 		   .summary = "sets the coefficients of the contact law for pairs of particle types",
 		   .doc = "I and J are types or ranges of types (*, 2*, *3, 1*3). The coefficients are "
 			  "defined by the pair style, whose name may stand in front of them, as behind "
-			  "LAMMPS' "
-			  "pair_style hybrid. `file NAME` reads keyword-value lines from the file "
+			  "LAMMPS' pair_style hybrid. `file NAME` reads keyword-value lines from the file "
 			  "NAME, which is searched for in the working folder, in the folder TSIM_POTENTIALS "
 			  "and among the installed potentials.",
 		   .example = "pair_coeff * * stiffness 2.0e5 restitution 0.5",

@@ -220,8 +220,7 @@ const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 			"Otherwise its relative error is 1e-3 to 1e-2; doc/coupling.md gives the reason.\n"
 			"Particles that are held and members of rigid bodies get the pressure of the\n"
 			"previous step. f_ID[1] ... [3] is the total force.",
-		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 "
-			   "-9.81\n"
+		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 -9.81\n"
 			   "fix lift all flow/pressure_gradient",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -18,8 +18,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (ts_csv_is(s->common.file))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->common.file),
 			       "dump xyz writes the XYZ format: for a table of comma-separated values take "
-			       "`dump ID "
-			       "GROUP custom N %s type x y z`",
+			       "`dump ID GROUP custom N %s type x y z`",
 			       s->common.file);
 	for (size_t k = 0; k < 4; k++)
 		word[k] = (struct ts_word){ .text = names[k], .place = self->where };

@@ -100,8 +100,7 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 	struct ts_str text = { 0 };
 
 	ts_str_add(&text, "  all ranks agree once a step, some times more in a rebuild and at outputs\n  "
-			  "memory of a "
-			  "rank about ");
+			  "memory of a rank about ");
 	ts_price_bytes(fmin(share, 1) * report->bytes, &text);
 	ts_str_add(&text, " in steps, ");
 	ts_price_bytes(report->bytes, &text);

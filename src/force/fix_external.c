@@ -136,9 +136,8 @@ static enum ts_status add_force(struct ts_instance *self, struct tsim *sim)
 	if (s->mode == CALLBACK && !s->given)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix external: no program gives the forces; pf/callback needs a function set "
-			       "by "
-			       "set_fix_external_callback of the Python interface, or tsim_external of the C "
-			       "library");
+			       "by set_fix_external_callback of the Python interface, or tsim_external of "
+			       "the C library");
 	if (sim->clock.step % every != 0)
 		return TS_OK;
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
@@ -226,19 +225,19 @@ const struct ts_style ts_fix_external = {
 	.summary = "Adds forces that an outside program computes",
 	.purpose = "Forces computed in Python or C: control loops, forces fitted elsewhere, coupling of two "
 		   "programs.",
-	.doc = "A program that runs tsim as a library gives a force to each particle: by a function "
-	       "that is called in each step divisible by Ncall (pf/callback), or as an array that keeps "
-	       "its values until it is changed (pf/array). The forces on the particles of the group are "
-	       "added in each step divisible by Napply, in the order of fixes in the script. They "
-	       "belong to particles: they move with them in memory, are kept in restart files, and "
-	       "those of new particles are 0.\n\n"
+	.doc = "A program that runs tsim as a library gives a force to each particle: by a function that is "
+	       "called in each step divisible by Ncall (pf/callback), or as an array that keeps its values "
+	       "until it is changed (pf/array). The forces on the particles of the group are added in each "
+	       "step divisible by Napply, in the order of fixes in the script. They belong to particles: "
+	       "they move with them in memory, are kept in restart files, and those of new particles are "
+	       "0.\n\n"
 	       "In Python: set_fix_external_callback, fix_external_get_force, "
 	       "fix_external_set_energy_global, fix_external_set_energy_peratom, "
 	       "fix_external_set_vector_length, fix_external_set_vector, with the meaning that LAMMPS' "
 	       "manual gives them (doc/python.md). In C: tsim_external (doc/library.md).\n\n"
-	       "The energy counts in compute pe if `fix_modify ID energy yes` is set. Virials are not "
-	       "taken: pressures are of contacts, bonds and motion. With pf/callback, a run without a "
-	       "function is an error.",
+	       "The energy counts in compute pe if `fix_modify ID energy yes` is set. Virials are not taken: "
+	       "pressures are of contacts, bonds and motion. With pf/callback, a run without a function is "
+	       "an error.",
 	.example = "fix push all external pf/callback 1 1\nfix field grains external pf/array 1",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -135,10 +135,7 @@ const struct ts_style ts_fix_spring_self = {
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.join = ts_particle_tally_join,
 	.summary = "tethers each particle to its initial position by a spring",
-	.doc = "Adds the force f = -K (x - x0) to each particle of the group, in the given directions. x and "
-	       "x0 are unwrapped positions, x0 that when the fix was defined or, for particles created later, "
-	       "when the particle was created. Velocity Verlet is stable for time steps below 2 sqrt(m/K) "
-	       "with the smallest mass m.",
+	.doc = "Adds the force f = -K (x - x0) to each particle of the group, in the given directions. x and x0 are unwrapped positions, x0 that when the fix was defined or, for particles created later, when the particle was created. Velocity Verlet is stable for time steps below 2 sqrt(m/K) with the smallest mass m.",
 	.example = "fix hold frame spring/self 2.5 xy",
 	.args = args,
 	.state_size = sizeof(struct state),

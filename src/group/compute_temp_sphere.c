@@ -77,8 +77,7 @@ const struct ts_style ts_compute_temp_sphere = {
 	       "number of degrees of freedom, 6 of each particle less 3, in two dimensions 3 of each less 2. "
 	       "`dof rotate` leaves out the translation: T = sum I omega^2 / (F k_B), where F is 3 of each "
 	       "particle, in two dimensions 1. `compute_modify ID extra M` subtracts M instead of the 3, 2 "
-	       "or "
-	       "0. Particles that no style rotates have omega = 0, and count in F as in LAMMPS.\n\n"
+	       "or 0. Particles that no style rotates have omega = 0, and count in F as in LAMMPS.\n\n"
 	       "The vector is the tensor sum m v_a v_b + I omega_a omega_b for ab = xx, yy, zz, xy, xz, yz, "
 	       "with `dof rotate` its second term. `bias` of LAMMPS is not supported: for a group that moves "
 	       "as a whole see compute temp/com and compute temp/granular.",

@@ -133,9 +133,7 @@ const struct ts_style ts_fix_nve_limit = {
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.join = join,
 	.summary = "velocity Verlet with a limited displacement per step",
-	.doc = "As fix nve, but after each half kick a velocity that would move its particle by more than the "
-	       "limit in a step is reduced to it. The fix is for scenes that begin with overlaps; energy is "
-	       "not conserved while it acts.",
+	.doc = "As fix nve, but after each half kick a velocity that would move its particle by more than the limit in a step is reduced to it. The fix is for scenes that begin with overlaps; energy is not conserved while it acts.",
 	.example = "fix part all nve/limit radius_ratio 0.01\nfix part all nve/limit 1e-4",
 	.args = args,
 	.state_size = sizeof(struct state),

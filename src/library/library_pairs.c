@@ -16,8 +16,7 @@ static enum ts_status check_built(struct tsim *sim)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, NULL,
 		       "pairs are known only after a run, and not if particles have been added or deleted "
-		       "since; "
-		       "`run 0` finds them");
+		       "since; `run 0` finds them");
 }
 
 int tsim_pairs(struct tsim *sim, int32_t *pair, size_t room, size_t *n)

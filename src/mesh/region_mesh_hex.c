@@ -20,12 +20,8 @@ const struct ts_region_style ts_region_mesh_hex = {
 		.kind = TS_KIND_REGION,
 	.ranks = TS_RANKS_WHOLE,
 		.summary = "The hexahedra of a VTK file",
-		.doc = "All points in the hexahedra of a legacy VTK file (text or binary), each split into "
-		       "six tetrahedra. The file must contain no other solid cells; points, lines and surface "
-		       "cells are ignored.\n\n"
-			"The coordinates of the file are first shifted (`move`), then scaled, then rotated "
-			"about the axes x, y and z through the origin. The volume of the region is the sum of "
-			"the volumes of the cells.",
+		.doc = "All points in the hexahedra of a legacy VTK file (text or binary), each split into six tetrahedra. The file must contain no other solid cells; points, lines and surface cells are ignored.\n\n"
+			"The coordinates of the file are first shifted (`move`), then scaled, then rotated about the axes x, y and z through the origin. The volume of the region is the sum of the volumes of the cells.",
 		.example = "region part mesh/hex file part.vtk scale 0.001 move 0 0 0 rotate 0 0 0 units box",
 		.args = args,
 		.state_size = sizeof(struct ts_cell_region),

@@ -20,12 +20,8 @@ const struct ts_region_style ts_region_mesh_tet = {
 		.kind = TS_KIND_REGION,
 	.ranks = TS_RANKS_WHOLE,
 		.summary = "The tetrahedra of a VTK file",
-		.doc = "All points in the tetrahedra of a legacy VTK file (text or binary). The file must "
-		       "contain no other solid cells; points, lines and surface cells are ignored. Points "
-		       "that lie exactly in a face do not belong to the cell.\n\n"
-			"The coordinates of the file are first shifted (`move`), then scaled, then rotated "
-			"about the axes x, y and z through the origin. The volume of the region is the sum of "
-			"the volumes of the cells.",
+		.doc = "All points in the tetrahedra of a legacy VTK file (text or binary). The file must contain no other solid cells; points, lines and surface cells are ignored. Points that lie exactly in a face do not belong to the cell.\n\n"
+			"The coordinates of the file are first shifted (`move`), then scaled, then rotated about the axes x, y and z through the origin. The volume of the region is the sum of the volumes of the cells.",
 		.example = "region part mesh/tet file part.vtk scale 0.001 move 0 0 0 rotate 0 0 0 units box",
 		.args = args,
 		.state_size = sizeof(struct ts_cell_region),

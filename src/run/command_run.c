@@ -43,8 +43,7 @@ static void print_ranks(struct tsim *sim, int64_t steps)
 	       n[0], n[1], n[2], d->least, d->most);
 	ts_log(&sim->log,
 	       "Of the first rank: %.1f messages, %.0f bytes and %.2f agreements a step, %.0f copies of "
-	       "particles, "
-	       "%" PRId64 " particles received; all gathered %" PRId64 " times, %" PRId64
+	       "particles, %" PRId64 " particles received; all gathered %" PRId64 " times, %" PRId64
 	       " of them with contacts\n\n",
 	       (double)c->messages / (double)steps, (double)c->bytes / (double)steps,
 	       (double)c->agreements / (double)steps, d->built ? (double)d->made / (double)d->built : 0,
