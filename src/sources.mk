@@ -1276,6 +1276,7 @@ library_sources = \
 	src/restart/restart.h \
 	src/review/bond_rigidity.c \
 	src/review/command_review.c \
+	src/review/held_contacts.c \
 	src/review/integration.c \
 	src/review/internal.h \
 	src/review/material_values.c \

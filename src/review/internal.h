@@ -18,6 +18,8 @@ enum ts_status ts_review_floor(struct tsim *sim);
 enum ts_status ts_review_mesh_size(struct tsim *sim);
 /* overlap.c */
 enum ts_status ts_review_overlap(struct tsim *sim);
+/* held_contacts.c */
+enum ts_status ts_review_held_contacts(struct tsim *sim);
 /* bond_rigidity.c */
 enum ts_status ts_review_bonds(struct tsim *sim);
 /* wall_overlap.c */

@@ -21,6 +21,8 @@ const struct ts_review_check ts_review_table[] = {
 	{ "floor", "gravity towards a fixed face without a wall, mesh or fixed particle below",
 	  ts_review_floor },
 	{ "mesh_size", "meshes that are smaller than the particles", ts_review_mesh_size },
+	{ "held_contacts", "contacts of two held particles, where outputs read forces",
+	  ts_review_held_contacts },
 	{ "members", "integrators whose group contains members of rigid bodies", NULL },
 	{ "mesh_leaves", "meshes that will leave the box during the run", NULL },
 	{ "servo", "a servo that oscillates at its largest speed", NULL },

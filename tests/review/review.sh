@@ -200,6 +200,27 @@ $law
 fix move all nve/sphere
 $rest" ': 1; the largest overlap is 0.04'
 
+# ---- held_contacts: a row of four, three of them held ----
+row="$start
+create_atoms 1 single 0.2 0.5 0.5 units box
+create_atoms 1 single 0.399 0.5 0.5 units box
+create_atoms 1 single 0.598 0.5 0.5 units box
+create_atoms 1 single 0.797 0.5 0.5 units box
+set group all diameter 0.2 density 1000
+$law
+group held id 1 2 3
+fix move all nve/sphere
+fix hold held freeze"
+found 'contacts of held particles in a pressure' held_contacts "$row
+thermo_style custom step press
+$rest" ': 2, one of them of particles 2 and 3 at (0.399 0.5 0.5)' 'LIGGGHTS and LAMMPS count them'
+sound 'contacts of held particles that nothing reads' "$row
+$rest"
+sound 'excluded contacts of held particles' "$row
+neigh_modify exclude group held held
+thermo_style custom step press
+$rest"
+
 # ---- wall_overlap ----
 found 'in a plane wall' wall_overlap "$whole
 fix floor all wall/gran primitive type 1 zplane 0.1
