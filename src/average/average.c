@@ -65,6 +65,11 @@ bool ts_average_waits(const struct ts_instance *self, const struct tsim *sim)
 	return sim->clock.step == ((const struct ts_average *)self->state)->next;
 }
 
+int64_t ts_average_until(const struct ts_average *a, const struct tsim *sim)
+{
+	return sim->clock.step + (a->repeat - 1) * a->every + (a->ave == TS_AVE_ONE ? 0 : a->freq);
+}
+
 bool ts_average_sampled(struct ts_average *a, const struct tsim *sim)
 {
 	a->samples++;

@@ -83,6 +83,9 @@ enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, str
 bool ts_average_due(struct ts_average *a, const struct tsim *sim);
 /* Slot `due` of styles whose state begins with a struct ts_average: whether a sample is due at this step. */
 bool ts_average_waits(const struct ts_instance *self, const struct tsim *sim);
+/* At the first sample of an average: the step of the last sample for which what is averaged must keep its number of values,
+ * with `ave running` and `window` that of the next average. */
+int64_t ts_average_until(const struct ts_average *a, const struct tsim *sim);
 /* Counts a sample that the style has added to `sum`. Returns true after the last sample of an average: the
  * style then turns `sum` into the average and calls ts_average_combine. */
 bool ts_average_sampled(struct ts_average *a, const struct tsim *sim);

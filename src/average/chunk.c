@@ -18,6 +18,19 @@ static double *assigned_column(const struct ts_chunks *c)
 	return c->sim->particles->column[c->column].data;
 }
 
+void ts_chunks_hold(struct ts_chunks *c, int64_t until)
+{
+	if (!ts_chunks_held(c))
+		c->once = 0;
+	if (until > c->held_until)
+		c->held_until = until;
+}
+
+bool ts_chunks_held(const struct ts_chunks *c)
+{
+	return c->number == TS_NUMBER_ONCE || c->sim->clock.step <= c->held_until;
+}
+
 /* Chunk number of each particle from its current position, type or value, and the number of chunks, without
  * `ids`, `compress` and `limit`. */
 static enum ts_status find_chunk_ids(const struct ts_instance *self, struct ts_chunks *c, int64_t *id)
@@ -47,11 +60,9 @@ static enum ts_status find_chunk_ids(const struct ts_instance *self, struct ts_c
 	}
 	if (c->style != TS_CHUNK_VALUE)
 		return TS_OK;
-	c->n = c->once ? (size_t)c->once_n[0] : (size_t)most;
-	if (c->number != TS_NUMBER_ONCE)
-		return TS_OK;
+	c->n = c->once && ts_chunks_held(c) ? (size_t)c->once_n[0] : (size_t)most;
 	c->once_n[0] = (int64_t)c->n;
-	c->once = 1;
+	c->once = ts_chunks_held(c);
 	return TS_OK;
 }
 

@@ -54,6 +54,7 @@ struct ts_chunks {
 
 	/* state, written to restart files: bins of `nchunk once`, chunks of `ids once` and `ids nfreq` */
 	int64_t started, once; /* 1: arguments are read; the bins below are set */
+	int64_t held_until;    /* up to this step chunks stay those of the first sample of an average */
 	double once_lo[3];     /* axis.lo of the first placement */
 	int64_t once_n[3];     /* axis.n of it; [0] is the number of chunks for TS_CHUNK_VALUE */
 	size_t column;	       /* column of the particles: 1 + chunk number; 0: not yet assigned */
@@ -75,8 +76,8 @@ struct ts_chunks {
 		TS_ENUM("discard", T, chunks.discard, ts_chunk_discards, .fallback = "default",   \
 			.flags = TS_STATEFUL,                                                     \
 			.help = "whether particles outside the bins are in no chunk (yes) or in " \
-				"the nearest bin (no); mixed, the default for bins: yes where "   \
-				"there is a bound, else no"),                                     \
+				"the nearest bin (no); mixed: yes where there is a bound, else "  \
+				"no; default: yes, for shells no"),                               \
 		TS_LIST_KEYWORD("bound", T, chunks.bound_words,                                   \
 				.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_STATEFUL,   \
 				.help = "dim lo hi: bins extend from lo to hi, a coordinate or "  \
@@ -87,10 +88,14 @@ struct ts_chunks {
 				"or fractions of the box (reduced)")
 extern const char *const ts_chunk_discards[], *const ts_chunk_units[];
 extern const char *const ts_chunk_numbers[], *const ts_chunk_id_words[];
-#define TS_CHUNK_SAVED(T)                                                                            \
-	TS_SAVE_I64(T, chunks.started), TS_SAVE_I64(T, chunks.once), TS_SAVE_F64(T, chunks.once_lo), \
-		TS_SAVE_I64(T, chunks.once_n)
+#define TS_CHUNK_SAVED(T)                                                                               \
+	TS_SAVE_I64(T, chunks.started), TS_SAVE_I64(T, chunks.once), TS_SAVE_I64(T, chunks.held_until), \
+		TS_SAVE_F64(T, chunks.once_lo), TS_SAVE_I64(T, chunks.once_n)
 
+/* For the first sample of an average whose last one is taken at step `until`: number and places of chunks stay, as with
+ * `nchunk once`, so that samples can be added when the box changes in between. */
+void ts_chunks_hold(struct ts_chunks *chunks, int64_t until);
+bool ts_chunks_held(const struct ts_chunks *chunks);
 /* Called by init: parses the arguments at the first call, resolves names at each. */
 enum ts_status ts_chunks_init(struct ts_instance *self, struct tsim *sim, struct ts_chunks *chunks);
 /* Assigns the particles of the owner's group to chunks. With `ids nfreq` the first sample of an average

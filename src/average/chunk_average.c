@@ -191,9 +191,13 @@ static enum ts_status add_sample(struct ts_instance *self, struct tsim *sim)
 	struct ts_chunk_average *s = self->state;
 	bool first = s->average.samples == 0;
 	size_t width = 1 + s->ncolumns;
+	struct ts_instance *owner;
 	struct ts_chunks *c;
 
-	TS_TRY(s->source(self, sim, first ? TS_CHUNK_FIRST_SAMPLE : TS_CHUNK_NEXT_SAMPLE, &c));
+	TS_TRY(s->source(self, sim, &owner, &c));
+	if (first)
+		ts_chunks_hold(c, ts_average_until(&s->average, sim));
+	TS_TRY(ts_chunks_assign(owner, c, first ? TS_CHUNK_FIRST_SAMPLE : TS_CHUNK_NEXT_SAMPLE));
 	TS_TRY(gather_columns(self, sim, c));
 	if (ts_chunk_sum(c, self->group, width, row_terms, &s->peratom, &s->sums) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -206,7 +210,7 @@ static enum ts_status add_sample(struct ts_instance *self, struct tsim *sim)
 	if (c->n * width != s->average.n)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s %s: the number of chunks has changed from %zu to %zu between the "
-			       "samples of one average",
+			       "samples of one average; use `ids nfreq` of compute chunk/atom",
 			       self->style->name, self->id, s->average.n / width, c->n);
 	for (size_t k = 0; k < c->n; k++) {
 		double *to = s->average.sum + k * width, *from = s->sums.data + k * width;
@@ -329,10 +333,12 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 enum ts_status ts_chunk_average_setup(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_chunk_average *s = self->state;
+	struct ts_instance *owner;
 	struct ts_chunks *c;
 
 	if (s->average.n == 0) {
-		TS_TRY(s->source(self, sim, TS_CHUNK_NO_SAMPLE, &c));
+		TS_TRY(s->source(self, sim, &owner, &c));
+		TS_TRY(ts_chunks_assign(owner, c, TS_CHUNK_NO_SAMPLE));
 		TS_TRY(ts_average_resize(self, sim, &s->average, c->n * (1 + s->ncolumns)));
 		TS_TRY(store_places(s, sim, c));
 	}

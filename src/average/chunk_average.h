@@ -9,9 +9,9 @@
 struct ts_chunk_column;
 struct ts_chunk_average;
 
-/* Assigns the particles to chunks for a sample. */
-typedef enum ts_status ts_chunk_source(struct ts_instance *self, struct tsim *sim,
-				       enum ts_chunk_moment moment, struct ts_chunks **chunks);
+/* Finds the chunks of the average, and their owner. */
+typedef enum ts_status ts_chunk_source(struct ts_instance *self, struct tsim *sim, struct ts_instance **owner,
+				       struct ts_chunks **chunks);
 
 /* First member of the state. */
 struct ts_chunk_average {

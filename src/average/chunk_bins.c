@@ -57,7 +57,7 @@ static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *sel
 	return TS_OK;
 }
 
-/* `nchunk once`: the bins stay those of the first placement. */
+/* The bins stay those of the first placement. */
 static void keep_first_bins(struct ts_chunks *c, int k)
 {
 	struct ts_chunk_axis *a = &c->axis[k];
@@ -74,16 +74,17 @@ static void keep_first_bins(struct ts_chunks *c, int k)
 enum ts_status ts_chunk_bins_place(const struct ts_instance *self, struct ts_chunks *c)
 {
 	double total = (double)(c->shells ? c->shells : 1);
+	bool held = ts_chunks_held(c);
 
 	for (int k = 0; k < c->naxes; k++) {
 		struct ts_chunk_axis *a = &c->axis[k];
 
 		TS_TRY(place_axis(c->sim, self, c, a));
-		if (c->number == TS_NUMBER_ONCE)
+		if (held)
 			keep_first_bins(c, k);
 		total *= (double)a->n;
 	}
-	c->once = c->number == TS_NUMBER_ONCE;
+	c->once = held;
 	if (total > 1e9)
 		return ts_fail(&c->sim->error, TS_RANGE, &self->where, "%s %s: %g bins are too many",
 			       ts_kind_name(self->style->kind), self->style->name, total);
@@ -105,8 +106,8 @@ static int64_t bin_along(const struct ts_chunks *c, const struct ts_chunk_axis *
 {
 	const struct ts_box *box = &c->sim->domain->box;
 	double at = x[a->dim];
-	bool all = c->discard == TS_DISCARD_YES;
-	bool mixed = c->discard == TS_DISCARD_MIXED || c->discard == TS_DISCARD_DEFAULT;
+	bool all = c->discard == TS_DISCARD_YES || c->discard == TS_DISCARD_DEFAULT;
+	bool mixed = c->discard == TS_DISCARD_MIXED;
 
 	/* positions are wrapped at rebuilds only: in between a particle may be slightly outside */
 	if (ts_box_periodic(box, a->dim))

@@ -20,6 +20,19 @@ void ts_chunk_user_fini(struct ts_instance *self)
 	ts_table_release(&((struct ts_chunk_user *)self->state)->centre);
 }
 
+enum ts_status ts_chunk_user_hold(struct tsim *sim, const struct ts_ref_input *input, int64_t until)
+{
+	const struct ts_instance *inst = input->quantity ? NULL : input->ref.inst;
+	struct ts_instance *owner;
+	struct ts_chunks *chunks;
+
+	if (!inst || !inst->style->family || !ts_streq(inst->style->family, TS_FAMILY_CHUNK_USER))
+		return TS_OK;
+	TS_TRY(ts_chunks_find(sim, inst, ((const struct ts_chunk_user *)inst->state)->id, &owner, &chunks));
+	ts_chunks_hold(chunks, until);
+	return TS_OK;
+}
+
 enum ts_status ts_chunk_user_assign(const struct ts_instance *self, struct ts_chunks **chunks)
 {
 	const struct ts_chunk_user *user = self->state;

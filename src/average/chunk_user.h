@@ -4,7 +4,8 @@
 
 #include "average/chunk.h"
 
-/* First member of their state. */
+/* Family of these computes. First member of their state. */
+#define TS_FAMILY_CHUNK_USER "chunk_user"
 struct ts_chunk_user {
 	const char *id;		/* of the compute chunk/atom */
 	struct ts_table centre; /* [chunk][4]: centre of mass, mass; vcm and temp/chunk: momentum, mass */
@@ -17,6 +18,9 @@ struct ts_chunk_user {
 /* Slots of struct ts_style. */
 enum ts_status ts_chunk_user_init(struct ts_instance *self, struct tsim *sim);
 void ts_chunk_user_fini(struct ts_instance *self);
+
+/* For the first sample of an average of the input: the chunks of a compute .../chunk stay until this step. */
+enum ts_status ts_chunk_user_hold(struct tsim *sim, const struct ts_ref_input *input, int64_t until);
 
 /* Assigns the particles to chunks at their current positions. */
 enum ts_status ts_chunk_user_assign(const struct ts_instance *self, struct ts_chunks **chunks);

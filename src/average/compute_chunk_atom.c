@@ -87,8 +87,11 @@ const struct ts_style ts_compute_chunk_atom = {
 	       "last axis varies fastest. The shells of spheres and cylinders divide the range rmin to rmax "
 	       "evenly; for cylinders the bin index along the axis varies fastest, and c1 c2 are the "
 	       "coordinates of the axis along the other two directions in the order x, y, z. Coordinates are "
-	       "wrapped into a periodic box first. Particles outside the bins are in the nearest bin; with "
-	       "`discard yes`, or outside a `bound`, they are in no chunk.\n\n"
+	       "wrapped into a periodic box first. Particles outside all bins along an axis are in no chunk, "
+	       "those outside the shells in the nearest shell; `discard` changes that.\n\n"
+	       "While fix ave/chunk, or fix ave/time of a compute with /chunk in its name, takes the samples "
+	       "of an average, number and places of chunks stay those of the first sample, though a "
+	       "shrink-wrapped box may grow; with `ave running` and `window`, for all averages.\n\n"
 	       "With `compress yes` the chunks that have particles are renumbered from 1. `limit` sets the "
 	       "largest (max) or the exact number of chunks; for bins it requires `compress yes`. Particles "
 	       "in chunks beyond the limit are in no chunk, with `discard no` in the last one.",

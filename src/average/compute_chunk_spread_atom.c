@@ -83,6 +83,7 @@ TS_STYLE(compute, ts_style, ts_compute_chunk_spread_atom)
 const struct ts_style ts_compute_chunk_spread_atom = {
 	.name = "chunk/spread/atom",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Spreads values of chunks to their particles",
 	.doc = "Gives each particle of the group the values of the chunk to which compute chunk/atom assigns "

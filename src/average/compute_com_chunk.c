@@ -38,6 +38,7 @@ TS_STYLE(compute, ts_style, ts_compute_com_chunk)
 const struct ts_style ts_compute_com_chunk = {
 	.name = "com/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Center of mass of each chunk",
 	.doc = "Calculates the centre of mass of the particles of the group in each chunk of compute "

@@ -67,6 +67,7 @@ TS_STYLE(compute, ts_style, ts_compute_gyration_chunk)
 const struct ts_style ts_compute_gyration_chunk = {
 	.name = "gyration/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Radius of gyration of each chunk",
 	.doc = "As compute gyration, for the particles of the group in each chunk of compute chunk/atom: "

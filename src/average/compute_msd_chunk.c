@@ -88,6 +88,7 @@ TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
 const struct ts_style ts_compute_msd_chunk = {
 	.name = "msd/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Squared displacement of each chunk",
 	.doc = "Calculates the squared displacement of the centre of mass of each chunk of compute "

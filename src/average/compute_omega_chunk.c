@@ -72,6 +72,7 @@ TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
 const struct ts_style ts_compute_omega_chunk = {
 	.name = "omega/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Angular velocity of each chunk",
 	.doc = "Calculates the angular velocity of each chunk of compute chunk/atom,\n\n"

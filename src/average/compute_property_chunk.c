@@ -87,6 +87,7 @@ TS_STYLE(compute, ts_style, ts_compute_property_chunk)
 const struct ts_style ts_compute_property_chunk = {
 	.name = "property/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Particle count, original number and coordinates of chunks",
 	.doc = "Lists properties of each chunk of compute chunk/atom: count, the number of its particles "

@@ -116,6 +116,7 @@ TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
 const struct ts_style ts_compute_reduce_chunk = {
 	.name = "reduce/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Sum, minimum, maximum, mean or deviation of per-particle values over each chunk",
 	.doc = "As compute reduce, over the particles of the group in each chunk of compute chunk/atom: "

@@ -177,6 +177,7 @@ TS_STYLE(compute, ts_style, ts_compute_temp_chunk)
 const struct ts_style ts_compute_temp_chunk = {
 	.name = "temp/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Temperature of chunks",
 	.doc = "Calculates for each chunk of compute chunk/atom a column for each of the values: temp, the "

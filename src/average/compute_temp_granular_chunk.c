@@ -103,6 +103,7 @@ TS_STYLE(compute, ts_style, ts_compute_temp_granular_chunk)
 const struct ts_style ts_compute_temp_granular_chunk = {
 	.name = "temp/granular/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Granular temperature of chunks",
 	.doc = "The granular temperature of the particles of the group in each chunk of compute chunk/atom, "

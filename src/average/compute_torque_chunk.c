@@ -42,6 +42,7 @@ TS_STYLE(compute, ts_style, ts_compute_torque_chunk)
 const struct ts_style ts_compute_torque_chunk = {
 	.name = "torque/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Torque on each chunk",
 	.doc = "Calculates the torque on the particles of the group in each chunk of compute chunk/atom,\n\n"

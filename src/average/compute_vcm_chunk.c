@@ -52,6 +52,7 @@ TS_STYLE(compute, ts_style, ts_compute_vcm_chunk)
 const struct ts_style ts_compute_vcm_chunk = {
 	.name = "vcm/chunk",
 	.kind = TS_KIND_COMPUTE,
+	.family = TS_FAMILY_CHUNK_USER,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "Velocity of the center of mass of each chunk",
 	.doc = "Calculates the velocity of the centre of mass, sum m v / sum m, of the particles of the "

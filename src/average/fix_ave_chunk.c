@@ -8,13 +8,10 @@ struct state {
 	const char *chunk_id;
 };
 
-static enum ts_status source(struct ts_instance *self, struct tsim *sim, enum ts_chunk_moment moment,
+static enum ts_status source(struct ts_instance *self, struct tsim *sim, struct ts_instance **owner,
 			     struct ts_chunks **chunks)
 {
-	struct ts_instance *owner;
-
-	TS_TRY(ts_chunks_find(sim, self, ((struct state *)self->state)->chunk_id, &owner, chunks));
-	return ts_chunks_assign(owner, *chunks, moment);
+	return ts_chunks_find(sim, self, ((struct state *)self->state)->chunk_id, owner, chunks);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -24,7 +21,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_chunks *chunks;
 
 	s->common.source = source;
-	TS_TRY(ts_chunks_find(sim, self, s->chunk_id, &owner, &chunks));
+	TS_TRY(source(self, sim, &owner, &chunks));
 	return ts_chunk_average_init(self, sim);
 }
 

@@ -1,6 +1,7 @@
 /* Fix ave/time: time averages of global values. */
 #include "average/average.h"
 #include "average/average_file.h"
+#include "average/chunk_user.h"
 #include "io/csv.h"
 #include "core/ref_list.h"
 #include "core/report.h"
@@ -84,6 +85,8 @@ static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	size_t n = s->input.n, length;
 
+	for (size_t k = 0; s->average.samples == 0 && k < n; k++)
+		TS_TRY(ts_chunk_user_hold(sim, &s->input.item[k], ts_average_until(&s->average, sim)));
 	TS_TRY(ts_ref_list_table(sim, &s->input, &s->vector));
 	length = s->vector.rows;
 	if (s->average.samples == 0) {

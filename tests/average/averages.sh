@@ -106,6 +106,47 @@ print \"is left \$(c_pr[1]) 1\"
 print \"is none \$(c_pr[2]) 0\"
 print \"is whole_part \$(c_ph[6]) 2\"
 print \"is last \$(c_n[2]) 6\""
+# A box that grows with a grain at 5 a unit of time: the bins of an average are those of its first sample. At the samples of
+# the first average, steps 60 to 100, the grain is at 10.999 (+0.25 each), in bin 11 of 11 twice and then above it; the first
+# of the second average are at 13.499 ... The numbers of LAMMPS (2022-01-06).
+growing='units lj
+atom_style sphere
+boundary f f s
+region reg block 0 10 0 10 0 10 units box
+create_box 1 reg
+create_atoms 1 single 1 1 0.5 units box
+create_atoms 1 single 3 1 4.5 units box
+create_atoms 1 single 5 1 9.5 units box
+set group all diameter 1 density 1
+group top id 3
+velocity top set 0 0 5 units box
+timestep 0.005'
+averaged='pair_style gran/hooke/history 2000.0 NULL 50.0 NULL 0.5 1
+pair_coeff * *
+fix 1 all nve/sphere
+compute l all chunk/atom bin/1d z lower 1 units box
+compute v all vcm/chunk l
+compute m all chunk/atom bin/1d z lower 1 units box
+fix a all ave/chunk 10 5 100 l vz file a.txt
+fix t all ave/time 10 5 100 c_v[3] mode vector file t.txt
+fix r all ave/chunk 10 5 100 m vz ave running file r.txt'
+agree 'bins of a growing box' "$growing
+$averaged
+run 80
+write_restart grown.restart
+run 320
+print \"is rows \$(f_t[19]) 4\""
+awk '/^[0-9]/ { print $1, $2, $3 }' a.txt >a.part
+holds a.part '100 11 2.4' '200 14 2.8' '300 16 2.4' '400 19 2.8'
+awk '/^[0-9]/ { print $1, $2, $3 }' r.txt >r.part
+holds r.part '100 11 2.4' '200 11 4.4' '300 11 6.4' '400 11 8.4'
+for file in a r t; do mv $file.txt $file.whole; done
+agree 'bins of a growing box, from a restart file within an average' "read_restart grown.restart
+$averaged
+run 320
+print \"is rows \$(f_t[19]) 4\""
+for file in a r t; do same "restart: $file.txt" $file.whole $file.txt; done
+
 agree 'chunks that stay' "$box
 compute e all chunk/atom bin/1d x lower 0.25 units box
 compute o all chunk/atom bin/1d x lower 0.25 units box ids once nchunk once
@@ -243,8 +284,13 @@ compute p all property/chunk l coord2
 compute s all slice 1 1 1 c_p
 print \$(c_s[1])" 'the chunks have 1 coordinates'
 rejects "$box
-variable n atom 1+2*(step>0)
-compute c all chunk/atom v_n
+variable n atom 1+id*(step>0)
+compute c all chunk/atom v_n compress yes
 fix a all ave/chunk 1 1 1 c vx ave running
 run 1" 'averages cannot be combined'
+rejects "$box
+variable n atom 1+id*(step>1)
+compute c all chunk/atom v_n compress yes
+fix a all ave/chunk 1 2 2 c vx
+run 2" 'use `ids nfreq`'
 finish
