@@ -18,19 +18,6 @@ static double *assigned_column(const struct ts_chunks *c)
 	return c->sim->particles->column[c->column].data;
 }
 
-void ts_chunks_hold(struct ts_chunks *c, int64_t until)
-{
-	if (!ts_chunks_held(c))
-		c->once = 0;
-	if (until > c->held_until)
-		c->held_until = until;
-}
-
-bool ts_chunks_held(const struct ts_chunks *c)
-{
-	return c->number == TS_NUMBER_ONCE || c->sim->clock.step <= c->held_until;
-}
-
 /* Chunk number of each particle from its current position, type or value, and the number of chunks, without
  * `ids`, `compress` and `limit`. */
 static enum ts_status find_chunk_ids(const struct ts_instance *self, struct ts_chunks *c, int64_t *id)

@@ -57,6 +57,19 @@ static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *sel
 	return TS_OK;
 }
 
+void ts_chunks_hold(struct ts_chunks *c, int64_t until)
+{
+	if (!ts_chunks_held(c))
+		c->once = 0;
+	if (until > c->held_until)
+		c->held_until = until;
+}
+
+bool ts_chunks_held(const struct ts_chunks *c)
+{
+	return c->number == TS_NUMBER_ONCE || c->sim->clock.step <= c->held_until;
+}
+
 /* The bins stay those of the first placement. */
 static void keep_first_bins(struct ts_chunks *c, int k)
 {
