@@ -7,6 +7,7 @@
 #      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
 #      60    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      60    rank/contract_ranks.sh         rank/contract.sh
+#      30    rank/soak.sh                   rank/contract.sh
 #      20    rank/plan.sh                   rank/check_blocks
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
@@ -72,6 +73,7 @@ slow_tests = \
 	tests/rank/contract_ranks.sh \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
+	tests/rank/soak.sh \
 	tests/restart/restart.sh \
 	tests/restart/restart_every.sh \
 	tests/program/sandbox.sh \

@@ -201,6 +201,7 @@ shell_tests = \
 	tests/rank/contract_ranks.sh \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
+	tests/rank/soak.sh \
 	tests/region/regions.sh \
 	tests/report/browser.sh \
 	tests/report/report.sh \
