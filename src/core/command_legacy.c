@@ -1,22 +1,28 @@
-/* Command legacy: results of LIGGGHTS where its algorithms and tsim's differ. */
+/* Command legacy: results of LIGGGHTS or LAMMPS where their algorithms and tsim's differ. */
 #include "core/sim.h"
 
 #include "base/banned.h"
 
+enum { NO, LIGGGHTS, LAMMPS };
+static const char *const of_words[] = { "no", "yes", "lammps", NULL };
+
 struct legacy {
-	bool on;
+	int of;
 };
 
 static enum ts_status run_legacy(struct tsim *sim, void *state, const struct ts_place *where)
 {
+	const struct legacy *s = state;
+
 	(void)where;
-	sim->legacy = ((const struct legacy *)state)->on;
+	sim->legacy = s->of == LIGGGHTS;
+	sim->legacy_lammps = s->of == LAMMPS;
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
-	TS_BOOL("on", struct legacy, on, .flags = TS_POSITIONAL,
-		.help = "whether results are those of LIGGGHTS"),
+	TS_ENUM("of", struct legacy, of, of_words, .flags = TS_POSITIONAL,
+		.help = "whether results are those of LIGGGHTS (yes) or of LAMMPS (lammps)"),
 	TS_ARGS_END,
 };
 
@@ -24,8 +30,9 @@ TS_STYLE(command, ts_command_style, ts_command_legacy)
 const struct ts_command_style ts_command_legacy = {
 	.style = { .name = "legacy",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "the results of LIGGGHTS where its algorithms and tsim's differ",
-		   .doc = "There are nine differences. With `legacy yes`:\n\n"
+		   .summary = "the results of LIGGGHTS or LAMMPS where their algorithms and tsim's differ",
+		   .doc = "There are nine differences, of which `legacy lammps` has two, restart of runs and "
+			  "walls with the law `granular`. With `legacy yes`:\n\n"
 			  "Contact history: a pair that separates keeps the history of its contact "
 			  "(tangential and rolling springs, the depth of hooke/hysteresis) until the next "
 			  "rebuild of the neighbor list, and continues it if the particles touch again "
@@ -59,8 +66,9 @@ const struct ts_command_style ts_command_legacy = {
 			  "LAMMPS give 0 for granular contacts, because their granular pair styles compute "
 			  "no energy; the energy balance (fix energy/ledger) needs it. `tsim -crosscheck` "
 			  "shows such columns and does not count them as differences.\n\n"
-			  "The option `-legacy` of the command line does the same, for scripts that LIGGGHTS "
-			  "must read, too.",
+			  "The option `-legacy` of the command line does the same, `-legacy lammps` as "
+			  "`legacy "
+			  "lammps`, for scripts that the other program must read, too.",
 		   .example = "legacy yes",
 		   .args = args,
 		   .state_size = sizeof(struct legacy) },

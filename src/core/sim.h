@@ -197,8 +197,9 @@ struct tsim {
 	bool hard_particles, soft_particles;
 	/* `newton on`, `communicate ... vel no`: no effect, but pair gran refuses them */
 	bool newton_on, still_ghosts;
-	bool legacy;   /* results of LIGGGHTS: see the command of this name */
-	unsigned full; /* bits of enum ts_full */
+	bool legacy;	    /* results of LIGGGHTS: see the command of this name */
+	bool legacy_lammps; /* those of LAMMPS; never both */
+	unsigned full;	    /* bits of enum ts_full */
 
 	struct ts_reading reading;
 	struct ts_run_state run;

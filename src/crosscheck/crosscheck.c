@@ -28,10 +28,10 @@ struct options {
 static const char *const program_names[] = { "liggghts", "lammps", NULL };
 static const struct {
 	const char *const *commands, *package;
-	bool legacy; /* tsim has a mode with the same results */
+	const char *legacy; /* word after -legacy for its results, or NULL */
 } peers[] = {
-	{ (const char *const[]){ "liggghts", "lmp_liggghts", "lmp_auto", NULL }, "liggghts", true },
-	{ (const char *const[]){ "lmp", "lmp_serial", "lmp_mpi", "lammps", NULL }, "lammps", false },
+	{ (const char *const[]){ "liggghts", "lmp_liggghts", "lmp_auto", NULL }, "liggghts", NULL },
+	{ (const char *const[]){ "lmp", "lmp_serial", "lmp_mpi", "lammps", NULL }, "lammps", "lammps" },
 };
 
 static const struct ts_arg rows[] = {
@@ -45,7 +45,7 @@ static const struct ts_arg rows[] = {
 		.range = TS_POSITIVE,
 		.help = "largest difference of mean, standard deviation and distribution in that case"),
 	TS_BOOL("legacy", struct options, legacy, .fallback = "yes",
-		.help = "with liggghts, run tsim with -legacy"),
+		.help = "run tsim with -legacy, with lammps with `-legacy lammps`"),
 	TS_WORD("peer", struct options, peer, .flags = TS_OPTIONAL,
 		.help = "file or command of the other program, if its name is not a usual one"),
 	TS_WORD("keep", struct options, keep, .flags = TS_OPTIONAL,
@@ -125,8 +125,11 @@ static enum ts_status make_command(struct crosscheck *c, int who)
 		words[n++] = in->vars.word[k].text;
 	for (size_t k = 0; who == TS_SELF && k < in->own.n && n < MOST_WORDS; k++)
 		words[n++] = in->own.word[k].text;
-	if (who == TS_SELF && c->o.legacy && peers[c->o.program].legacy)
+	if (who == TS_SELF && c->o.legacy) {
 		words[n++] = "-legacy";
+		if (peers[c->o.program].legacy)
+			words[n++] = peers[c->o.program].legacy;
+	}
 	c->process[who].words = words;
 	return TS_OK;
 }

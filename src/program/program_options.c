@@ -72,7 +72,8 @@ static const struct ts_program_option options[NOPTIONS] = {
 			   "how long a terminal is silent before a run shows its progress (10)", 1 },
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are echoed (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
-	[OPT_LEGACY] = { "legacy", "", "results of LIGGGHTS where they differ, see -help legacy", 0 },
+	[OPT_LEGACY] = { "legacy", "[lammps]",
+			 "results of LIGGGHTS, or of LAMMPS, where they differ: -help legacy", 0 },
 	[OPT_LIMIT] = { "input-limit", "GB",
 			"most that a compressed input may unfold to, a frame of a dump; a line: a thousandth "
 			"(4)",
@@ -147,6 +148,16 @@ void ts_program_list_options(void)
 	for (int k = 0; k < NOPTIONS; k++)
 		printf("  -%s %-*s %s\n", options[k].name, 30 - (int)strlen(options[k].name),
 		       options[k].values, options[k].help);
+}
+
+static int set_legacy(struct tsim *sim, const char *of)
+{
+	if (of && !ts_streq(of, "lammps"))
+		return ts_program_usage_error("expected lammps or nothing after -legacy, found '%s'%s", of,
+					      "");
+	sim->legacy = !of;
+	sim->legacy_lammps = of;
+	return 0;
 }
 
 static int set_echo(struct tsim *sim, const char *where)
@@ -406,8 +417,7 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 		return usage_status(add_words(&setup->own, "-threads", value, n) ||
 				    set_count(&sim->threads, value[0], 1024, "1024 after -threads"));
 	case OPT_LEGACY:
-		sim->legacy = true;
-		break;
+		return set_legacy(sim, n ? value[0] : NULL);
 	case OPT_SIGNAL:
 		sim->requests.restart_file = ts_streq(value[0], "none") ? "" : value[0];
 		break;
@@ -492,9 +502,10 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			id++;
 		if (id == NOPTIONS)
 			return unknown_option(text);
-		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
-			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT || id == OPT_RIGHT ||
-			   id == OPT_MARK || id == OPT_REPORT || (id >= OPT_SWEEP && id <= OPT_REPLICATE);
+		variadic = id == OPT_VAR || id == OPT_LEGACY || id == OPT_HELP || id == OPT_ADVISE ||
+			   id == OPT_FULL || id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT ||
+			   id == OPT_RIGHT || id == OPT_MARK || id == OPT_REPORT ||
+			   (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;
 		if (n < options[id].least)

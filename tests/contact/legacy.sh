@@ -1,6 +1,6 @@
 #!/bin/bash
-# legacy yes: a run in two is not the run in one, and the command and the option are the same. That the numbers
-# are those of LIGGGHTS: tests/crosscheck/legacy.sh.
+# legacy yes and lammps: a run in two is not the run in one, and the command and the option are the same. That the numbers
+# are those of LIGGGHTS and LAMMPS: tests/crosscheck/legacy.sh, scripts.sh (lammps/in.runs).
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
@@ -51,4 +51,16 @@ differs yes rebuilt
 sed -i '/^legacy/d' in.bounce
 bounce option no 0.2 200 -legacy
 same 'the option is the command' yes option
+# As LAMMPS: the forces of each run are computed anew, but the history ends with the contact.
+bounce option no 0.2 200 '-legacy lammps'
+sed -i '2a legacy ${legacy}' in.bounce
+bounce lammps lammps 0.2 200
+same 'the option -legacy lammps is the command' lammps option
+bounce built lammps 0.003 200
+same 'with legacy lammps results do not depend on the skin' lammps built
+differs now lammps
+differs yes lammps
+"$TSIM" -legacy liggghts -in in.bounce >out 2>&1
+[ $? = 2 ] && grep -q "expected lammps or nothing after -legacy, found 'liggghts'" out
+report 'another word after -legacy' $? out
 finish

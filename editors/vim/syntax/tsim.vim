@@ -64,12 +64,12 @@ syn match tsimKeyword /\<clear\>/
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
-syn keyword tsimKeyword  spacing a1 a2 a3 file open plate length width disk radius hole
-syn keyword tsimKeyword  sphere cylinder tube thickness cone radlo radhi revolve hopper
-syn keyword tsimKeyword  half_angle height stem wedge depth ends drum lifters screw shaft
-syn keyword tsimKeyword  pitch hand right left periodic mixer blades at base axis angle
-syn keyword tsimKeyword  segments error size normals outward inward primitive check binsize
-syn keyword tsimKeyword  contact_distance_factor page one cluster collection/type
+syn keyword tsimKeyword  spacing a1 a2 a3 lammps file open plate length width disk radius
+syn keyword tsimKeyword  hole sphere cylinder tube thickness cone radlo radhi revolve
+syn keyword tsimKeyword  hopper half_angle height stem wedge depth ends drum lifters screw
+syn keyword tsimKeyword  shaft pitch hand right left periodic mixer blades at base axis
+syn keyword tsimKeyword  angle segments error size normals outward inward primitive check
+syn keyword tsimKeyword  binsize contact_distance_factor page one cluster collection/type
 syn keyword tsimKeyword  collection/interval exclude bin nsq fixed omp grain shift tail mix
 syn keyword tsimKeyword  arithmetic sixthpower universe grid part numa add nocoeff
 syn keyword tsimKeyword  extra/atom/types extra/bond/types extra/angle/types
