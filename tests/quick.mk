@@ -16,6 +16,7 @@
 #       8    program/kill.sh                none: it waits for processes
 #       8    core/omissions.sh              neigh/check_order
 #      12    library/python.sh              library/check_library
+#       8    library/ranks.sh               library/check_library
 #      10    library/python_types.sh        library/check_library
 #       6    library/wheel.sh               library/check_library
 #       8    bench/race.sh                  contact/gran_laws.sh
@@ -67,6 +68,7 @@ slow_tests = \
 	tests/coupling/momentum.sh \
 	tests/core/omissions.sh \
 	tests/library/python.sh \
+	tests/library/ranks.sh \
 	tests/library/python_types.sh \
 	tests/library/wheel.sh \
 	tests/bench/race.sh \

@@ -159,6 +159,7 @@ shell_tests = \
 	tests/kinetic/granular_shear.sh \
 	tests/library/python.sh \
 	tests/library/python_types.sh \
+	tests/library/ranks.sh \
 	tests/library/wheel.sh \
 	tests/limits/timestep.sh \
 	tests/limits/timestep_bonds.sh \

@@ -69,8 +69,9 @@ for _axis, _letter in enumerate("xyz"):
     _GLOBAL["box%shi" % _letter] = (LAMMPS_DOUBLE, _edge("hi", _axis))
 _SETTINGS: Dict[str, Callable[[Any], int]] = {
     "bigint": lambda sim: 8, "tagint": lambda sim: 4, "imageint": lambda sim: 4,
-    "triclinic": lambda sim: 0, "world_rank": lambda sim: 0, "world_size": lambda sim: 1,
-    "universe_rank": lambda sim: 0, "universe_size": lambda sim: 1,
+    "triclinic": lambda sim: 0, "world_rank": lambda sim: int(sim.setting("rank")),
+    "world_size": lambda sim: int(sim.setting("ranks")),
+    "universe_rank": lambda sim: int(sim.setting("rank")), "universe_size": lambda sim: int(sim.setting("ranks")),
     "nthreads": lambda sim: int(sim.setting("threads")),
     "nall": lambda sim: len(sim) + int(sim.setting("nghost")),
     "nmax": lambda sim: len(sim) + int(sim.setting("nghost")),
@@ -138,6 +139,7 @@ class LammpsNames(NeighbourNames, ExternalNames):
     # what Simulation has
     variables: Any
     commands: Any
+    _comm: Any
     value: Any
     evaluate: Any
     outputs: Any
@@ -202,8 +204,9 @@ class LammpsNames(NeighbourNames, ExternalNames):
         """The operating system."""
         return platform.platform()
 
-    def get_mpi_comm(self) -> None:
-        """There is no MPI."""
+    def get_mpi_comm(self) -> Any:
+        """The communicator of mpi4py with which it was made, or None."""
+        return self._comm
 
     def is_running(self) -> bool:
         """Whether a step is being done."""
@@ -513,10 +516,17 @@ class LammpsNames(NeighbourNames, ExternalNames):
 
     @property
     def has_mpi_support(self) -> bool:
-        """There is no MPI."""
+        """Whether it can join the communicators of mpi4py."""
+        return hasattr(_lib, "tsim_mpi_join")
+
+    has_mpi4py = has_mpi_support
+
+    @property
+    def has_gpu_device(self) -> bool:
+        """There is no GPU."""
         return False
 
-    has_mpi4py = has_gpu_device = has_jpeg_support = has_curl_support = has_mpi_support
+    has_jpeg_support = has_curl_support = has_gpu_device
 
     def get_gpu_device_info(self) -> str:
         """There is no GPU."""
@@ -581,10 +591,10 @@ def make_class(base: Any) -> Any:
 
         def __init__(self, name: str = "", cmdargs: Optional[Sequence[str]] = None, ptr: Any = None,
                      comm: Any = None) -> None:
-            if ptr is not None or comm is not None:
-                raise ValueError("there are no pointers to a simulation and no MPI communicators here")
+            if ptr is not None:
+                raise ValueError("there are no pointers to a simulation here")
             options, variables, script = _open(cmdargs or [])
-            super().__init__(**options)
+            super().__init__(comm=comm, **options)
             for key, values in variables.items():
                 self.variables.define(key, "index", " ".join(values)) if len(values) > 1 else \
                     self.variables.preset(key, values[0] if values else "")

@@ -4,6 +4,7 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 import os
+import sys
 from typing import Any, Callable, List, Optional
 
 
@@ -136,6 +137,8 @@ def _declare(lib: ctypes.CDLL) -> ctypes.CDLL:
             ("argument", number, text, text, size, p(_Argument))):
         function = getattr(lib, "tsim_%s" % name)
         function.restype, function.argtypes = result, arguments
+    if hasattr(lib, "tsim_mpi_join"):
+        lib.tsim_mpi_join.restype, lib.tsim_mpi_join.argtypes = number, [sim, ctypes.c_void_p]
     return lib
 
 
@@ -147,9 +150,12 @@ def _candidates() -> List[str]:
                "../..", "../../build", "../../b",   # the source tree and where one builds
                "../../../../lib", "../../../../lib64",  # PREFIX/share/tsim/python
                "../../..", "../../../.."]           # PREFIX/lib/python3/dist-packages
-    files = [os.path.normpath(os.path.join(here, folder, "libtsim.so")) for folder in folders]
+    # With mpi4py the library that can join its communicators, where there is one.
+    names = ["tsim_mpi", "tsim"] if "mpi4py.MPI" in sys.modules else ["tsim"]
+    files = [os.path.normpath(os.path.join(here, folder, "lib%s.so" % name))
+             for name in names for folder in folders]
     return [f for f in files if os.path.exists(f)] + [
-        ctypes.util.find_library("tsim") or "libtsim.so.0"]
+        ctypes.util.find_library(name) or "lib%s.so.0" % name for name in names]
 
 
 def _load() -> ctypes.CDLL:

@@ -87,7 +87,9 @@ class Simulation(LammpsNames):
 
     threads: 0 as OMP_NUM_THREADS says; log: path of a log file; screen: True prints what the
     command line shows; on_log: a function f(level, text) with level "text", "warning" or "progress"
-    that is told instead; explain: run nothing, tell the plan of each run.
+    that is told instead; explain: run nothing, tell the plan of each run; comm: a communicator of
+    mpi4py, which was imported before tsim: its processes compute the simulation together, and all call
+    the same methods.
 
     As a context manager it is closed at the end. Its columns of particles: x, v, f, omega, torque,
     image, radius, mass, tag, type, mask (see view); its variables: sim.variables["name"]; the rows of
@@ -112,8 +114,9 @@ class Simulation(LammpsNames):
     mass = _column("mass", "masses")
 
     def __init__(self, threads: int = 0, log: Optional[Path] = None, screen: bool = False,
-                 on_log: Optional[LogCall] = None, explain: bool = False,
+                 on_log: Optional[LogCall] = None, explain: bool = False, comm: Any = None,
                  _check: bool = False) -> None:
+        self._comm = comm
         self._failure: Optional[BaseException] = None   # what Python raised inside a C call
         self._calls: Dict[Any, List[Any]] = {}
         self._bar: Optional[Progress] = None
@@ -123,7 +126,7 @@ class Simulation(LammpsNames):
         if on_log or in_notebook():
             self._on_log = _LogFunction(self._logger(on_log))
         options = _Options(threads=threads, explain=bool(explain), check=_check, on_log=self._on_log,
-                           log=_bytes(log) if log is not None else None)
+                           log=_bytes(log) if log is not None and comm is None else None)
         pointer = ctypes.c_void_p()
         status = _lib.tsim_open_with(ctypes.byref(options), ctypes.byref(pointer))
         if not pointer:
@@ -133,9 +136,18 @@ class Simulation(LammpsNames):
         self._rows = Rows(self)
         try:
             self._check(status)
-        except TsimError:
+            if comm is not None:
+                self._join(comm)
+                self._check(_lib.tsim_log(pointer, _bytes(log) if log is not None else None))
+        except (TsimError, ValueError):
             self.close()
             raise
+
+    def _join(self, comm: Any) -> None:
+        if not hasattr(_lib, "tsim_mpi_join"):
+            raise ValueError("comm: libtsim_mpi is not there, or mpi4py.MPI was not imported before tsim")
+        from mpi4py import MPI
+        self._check(_lib.tsim_mpi_join(self._owner.pointer, MPI._addressof(comm)))
 
     # -- life and errors
 

@@ -33,6 +33,8 @@ struct ts_library {
 		size_t capacity, name_capacity;
 	} row;
 	struct ts_sheets sheets; /* of the last tsim_tables */
+	struct ts_files_peers peers;
+	void (*leave)(struct ts_world *world); /* the other ranks, at the end; NULL: none have been joined */
 };
 
 /* Converts the status to the return value of a public function, and ensures that there is an error message. */

@@ -60,13 +60,20 @@ static void release_library(struct ts_library *library)
 
 void tsim_close(struct tsim *sim)
 {
+	struct ts_library *library;
+	struct ts_world *world;
+
 	if (!sim || sim->run.inside)
 		return;
+	library = sim->library;
+	world = sim->world;
 	if (sim->library)
 		ts_stepping_end(&sim->library->stepping, sim);
 	ts_script_free(sim->script_api_data);
-	release_library(sim->library);
 	ts_sim_free(sim);
+	if (library && library->leave)
+		library->leave(world);
+	release_library(library);
 }
 
 int tsim_open_with(const struct tsim_options *options, struct tsim **out)
@@ -100,10 +107,13 @@ const char *tsim_version(void)
 	return PACKAGE_VERSION;
 }
 
+/* An error while the particles are divided may be one of this rank alone, for which the others would wait. */
 int ts_library_result(struct tsim *sim, enum ts_status status)
 {
 	if (status != TS_OK && sim->error.status == TS_OK)
 		ts_fail(&sim->error, status, NULL, "%s", ts_status_text(status));
+	if (status != TS_OK && status != TS_STOPPED && sim->library->leave && sim->division)
+		sim->world->call->fail(sim->world, tsim_error(sim));
 	return (int)status;
 }
 

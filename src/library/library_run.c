@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "script/script.h"
 
 #include "base/banned.h"
@@ -101,7 +102,11 @@ int tsim_has_quit(struct tsim *sim, int *status)
 
 void tsim_stop(struct tsim *sim)
 {
-	if (sim)
+	if (!sim)
+		return;
+	if (sim->world)
+		sim->world->stop = 1; /* all ranks agree on it in the next step */
+	else
 		sim->requests.stop = 1;
 }
 
@@ -200,6 +205,7 @@ static enum ts_status add_call(struct tsim *sim, enum tsim_stage stage, struct t
 	struct ts_library_calls *calls = &sim->library->calls[stage];
 
 	TS_TRY(end_run(sim, "tsim_on_step"));
+	TS_TRY(ts_ranks_refuse(sim, "tsim_on_step", NULL));
 	if (TS_GROW(calls->item, calls->capacity, calls->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	calls->item[calls->n++] = call;

@@ -2,6 +2,7 @@
 #include "library/library.h"
 
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "manual/help.h"
 #include "particle/particles.h"
 
@@ -103,6 +104,16 @@ static double threads(const struct tsim *sim)
 	return sim->threads;
 }
 
+static double rank(const struct tsim *sim)
+{
+	return sim->world ? sim->world->rank : 0;
+}
+
+static double ranks(const struct tsim *sim)
+{
+	return ts_ranks(sim);
+}
+
 static double running(const struct tsim *sim)
 {
 	return sim->run.inside;
@@ -132,6 +143,8 @@ static const struct {
 	{ "nlost", "particles lost through fixed faces so far", lost },
 	{ "ntypes", "particle types, as given by create_box", types },
 	{ "nwarnings", "warnings so far", warnings },
+	{ "rank", "number of this rank, from 0", rank },
+	{ "ranks", "number of ranks", ranks },
 	{ "running", "1 inside a step", running },
 	{ "step", "the step counter", step },
 	{ "tag_max", "largest identity assigned so far", largest_id },

@@ -63,6 +63,18 @@ void ts_program_ranks_end(struct ts_world *world)
 	(void)world;
 }
 
+struct ts_world *ts_program_ranks_join(const void *communicator, const char **why)
+{
+	(void)communicator;
+	*why = "this library was built without MPI";
+	return NULL;
+}
+
+void ts_program_ranks_leave(struct ts_world *world)
+{
+	(void)world;
+}
+
 void ts_program_ranks_fail(struct ts_world *world, const char *message)
 {
 	(void)world;
@@ -305,7 +317,8 @@ static const struct ts_world_functions functions = { .most = most,
 						     .collect = collect,
 						     .sum = sum,
 						     .deliver = deliver,
-						     .swap = swap };
+						     .swap = swap,
+						     .fail = ts_program_ranks_fail };
 
 static bool was_started_by_launcher(void)
 {
@@ -316,44 +329,73 @@ static bool was_started_by_launcher(void)
 	return found;
 }
 
-struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why)
+static struct ts_world *join(MPI_Comm all, const char **why)
 {
-	struct mpi *m;
-	int given;
+	struct mpi *m = ts_alloc(1, sizeof *m);
 
-	if (!was_started_by_launcher())
-		return NULL;
-	MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
-	m = ts_alloc(1, sizeof *m);
 	if (!m) {
 		*why = "out of memory";
 		return NULL;
 	}
 	m->base.call = &functions;
-	MPI_Comm_dup(MPI_COMM_WORLD, &m->all);
-	MPI_Comm_dup(MPI_COMM_WORLD, &m->trouble);
+	MPI_Comm_dup(all, &m->all);
+	MPI_Comm_dup(all, &m->trouble);
 	MPI_Comm_rank(m->all, &m->base.rank);
 	MPI_Comm_size(m->all, &m->base.n);
-	if (m->base.n == 1 && started_processes() > 1)
+	return &m->base;
+}
+
+struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why)
+{
+	struct ts_world *world;
+	int given;
+
+	if (!was_started_by_launcher())
+		return NULL;
+	MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
+	world = join(MPI_COMM_WORLD, why);
+	if (world && world->n == 1 && started_processes() > 1)
 		*why = "mpirun has started several processes, but each of them is alone: tsim was built with "
 		       "another MPI than that of this mpirun";
-	return &m->base;
+	return world;
+}
+
+struct ts_world *ts_program_ranks_join(const void *communicator, const char **why)
+{
+	int initialised = 0, finalised = 0;
+
+	MPI_Initialized(&initialised);
+	MPI_Finalized(&finalised);
+	if (!initialised || finalised) {
+		*why = "MPI is not initialised: call MPI_Init_thread first, or import mpi4py.MPI";
+		return NULL;
+	}
+	return join(communicator ? *(const MPI_Comm *)communicator : MPI_COMM_WORLD, why);
+}
+
+void ts_program_ranks_leave(struct ts_world *world)
+{
+	struct mpi *m = (struct mpi *)world;
+	MPI_Request request;
+	int finalised = 0;
+
+	MPI_Finalized(&finalised); /* by a program that closes its simulations after that */
+	if (!finalised) {
+		MPI_Ibarrier(m->all, &request);
+		wait_for(m, &request, 1);
+		MPI_Comm_free(&m->all);
+		MPI_Comm_free(&m->trouble);
+	}
+	ts_free(m->request);
+	ts_free(m);
 }
 
 void ts_program_ranks_end(struct ts_world *world)
 {
-	struct mpi *m = (struct mpi *)world;
-	MPI_Request request;
-
-	if (!m)
+	if (!world)
 		return;
-	MPI_Ibarrier(m->all, &request);
-	wait_for(m, &request, 1);
-	MPI_Comm_free(&m->all);
-	MPI_Comm_free(&m->trouble);
+	ts_program_ranks_leave(world);
 	MPI_Finalize();
-	ts_free(m->request);
-	ts_free(m);
 }
 
 void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data)

@@ -10,6 +10,10 @@
 struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why);
 /* Waits for the other ranks and ends MPI. */
 void ts_program_ranks_end(struct ts_world *world);
+/* The same for a program that has initialised MPI itself, and ends it: a copy of the communicator to which the pointer
+ * points, NULL: MPI_COMM_WORLD; or NULL, and *why. */
+struct ts_world *ts_program_ranks_join(const void *communicator, const char **why);
+void ts_program_ranks_leave(struct ts_world *world);
 /* Ends all ranks with the first message that reaches the first one, which calls `report`; does not return. */
 void ts_program_ranks_fail(struct ts_world *world, const char *message);
 /* What the first rank does with the message of another one. */

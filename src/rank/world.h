@@ -37,6 +37,8 @@ struct ts_world_functions {
 	enum ts_status (*deliver)(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
 	/* Sends out[r] to rank r and receives in[r], whose n is known on both sides; nothing where n is 0. */
 	void (*swap)(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
+	/* Ends all ranks with a message of this one; does not return. */
+	void (*fail)(struct ts_world *world, const char *message);
 };
 
 struct ts_world {

@@ -1,0 +1,81 @@
+#!/bin/bash
+# Programs that have initialised MPI: the C library and the Python module on several ranks give the bits of one process.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+[ -f "$top_builddir/libtsim_mpi.so" ] || { echo 'skipped: built without the shared library or MPI (configure --with-mpi)'; exit 77; }
+needs mpirun openmpi-bin
+export OMP_NUM_THREADS=1
+sed -e '/^dump/d; /^run/d; /^fix mean/d' "$top_srcdir/tests/rank/scenes/in.bed" >in.bed
+echo 'run 100' >>in.bed
+
+# ranks N COMMAND...
+ranks() {
+	local n=$1
+	shift
+	timeout 200 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$@" </dev/null
+}
+
+# shellcheck disable=SC2046,SC2086
+$CC -Wall -Wextra -Werror -I"$top_srcdir/src" $CFLAGS $(pkg-config --cflags mpi-c) "$top_srcdir/tests/library/ranks.c" \
+	"$top_builddir/libtsim_mpi.so" -Wl,-rpath,"$work" $(pkg-config --libs mpi-c) -o ranks >out 2>&1 &&
+	ln -s "$top_builddir/libtsim_mpi.so" libtsim_mpi.so.0
+report 'tsim_mpi.h' $? out
+./ranks in.bed without
+report 'without MPI it is refused' $?
+ranks 1 ./ranks in.bed >out.1 2>err
+report 'one rank' $? err
+grep '^end ' out.1 >end.1
+for n in 2 3; do
+	ranks $n ./ranks in.bed >"out.$n" 2>err
+	report "$n ranks" $? err
+	grep '^end ' "out.$n" >"end.$n"
+	same "$n ranks: the same numbers" end.1 "end.$n"
+	[ "$(grep -c '^rank ' "out.$n")" = 0 ] && [ "$(grep -c '^Loop time' "out.$n")" = 1 ] && [ "$(grep -c '^Loop time' log.ranks)" = 1 ]
+	report "$n ranks print once, and have the same forces and errors" $? "out.$n"
+done
+# A particle that is lost on one rank ends all of them.
+sed 's/^thermo_modify.*//' "$top_srcdir/tests/rank/scenes/in.outlet" >in.lost
+sed -i '/^dump/d; /^run/d' in.lost
+printf 'thermo_modify lost error\nrun 1200\n' >>in.lost
+ranks 3 ./ranks in.lost >out 2>&1
+[ $? != 0 ] && [ "$(grep -c 'left the box through its fixed face' out)" = 1 ]
+report 'an error of one rank ends all' $? out
+
+cat >ranks.py <<'END'
+import sys
+from mpi4py import MPI
+import tsim
+comm = MPI.COMM_WORLD
+if comm.size == 4: # two simulations side by side
+    comm = comm.Split(comm.rank % 2)
+sim = tsim.Simulation(comm=comm, log="log.python" if comm.rank == 0 else "log.none")
+sim.file(sys.argv[1])
+sim.step(40)
+f = sim.gather("f")
+assert comm.bcast(f.tobytes(), 0) == f.tobytes()
+assert sim.setting("ranks") == comm.size and sim.setting("rank") == comm.rank
+try:
+    sim.commands("nonsense 1")
+    print("no error")
+except tsim.TsimError as error:
+    assert error.code == tsim.Status.UNKNOWN
+lmp = tsim.lammps(comm=comm, cmdargs=["-log", "none", "-screen", "none"])
+lmp.command("units si")
+assert lmp.extract_setting("world_size") == comm.size and lmp.get_mpi_comm() == comm
+lmp.close()
+if MPI.COMM_WORLD.rank == 0:
+    print("end", len(sim), repr(sim.value("ke")), *(repr(float(x)) for x in f[::17, 2]))
+END
+if python_with 'mpi4py, numpy' 'python3-mpi4py python3-numpy'; then
+	export PYTHONPATH=$top_srcdir/python PYTHONDONTWRITEBYTECODE=1 TSIM_LIBRARY=$top_builddir/libtsim_mpi.so
+	for n in 1 3 4; do
+		ranks $n "$python" ranks.py in.bed >"out.$n" 2>&1
+		report "Python on $n ranks" $? "out.$n"
+		grep '^end ' "out.$n" >"end.$n"
+		same "Python on $n ranks: the same numbers" end.1 "end.$n"
+	done
+	TSIM_LIBRARY=$top_builddir/libtsim.so "$python" ranks.py in.bed >out 2>&1
+	grep -q 'mpi4py.MPI was not imported before tsim' out
+	report 'the library without ranks' $? out
+fi
+finish
