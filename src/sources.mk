@@ -156,6 +156,8 @@ library_sources = \
 	src/bond/bond_moment.h \
 	src/bond/bond_moment_loop.c \
 	src/bond/bond_parallel.c \
+	src/bond/bond_ranks.c \
+	src/bond/bond_ranks.h \
 	src/bond/bond_reference.c \
 	src/bond/bond_reference.h \
 	src/bond/bond_rows.c \
@@ -170,6 +172,7 @@ library_sources = \
 	src/bond/bond_yield.h \
 	src/bond/bonds.c \
 	src/bond/bonds.h \
+	src/bond/bonds_list.c \
 	src/bond/bpm_words.c \
 	src/bond/bpm_words.h \
 	src/bond/clusters.c \

@@ -111,6 +111,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_beam)
 const struct ts_bond_style ts_bond_beam = {
 	.style = { .name = "beam",
 		   .kind = TS_KIND_BOND,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "a beam of Timoshenko with circular section between two centres",
 		   .doc = "A beam from centre to centre, of radius R = lambda min(R_a, R_b) and length l, "
 			  "the distance when the bond was created. The element is the cubic one of "

@@ -145,6 +145,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_bpm_rotational)
 const struct ts_bond_style ts_bond_bpm_rotational = {
 	.style = { .name = "bpm/rotational",
 		   .kind = TS_KIND_BOND,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "breakable bond with shear, bending and torsion of LAMMPS' package BPM",
 		   .doc = "The bond resists stretching by the normal force f_r = k_r (r - r0), and shear, "
 			  "bending and torsion with the stiffnesses k_s, k_b and k_t by the shear force f_s "

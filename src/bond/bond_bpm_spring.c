@@ -141,6 +141,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_bpm_spring)
 const struct ts_bond_style ts_bond_bpm_spring = {
 	.style = { .name = "bpm/spring",
 		   .kind = TS_KIND_BOND,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "breakable central spring of LAMMPS' package BPM",
 		   .doc = "The bond force acts along the line of centres, > 0 attractive:\n\n"
 			  "  F = k (r - r0) w + gamma w dr/dt,   w = 1 - (epsilon/epsilon_c)^8\n\n"

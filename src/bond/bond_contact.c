@@ -86,6 +86,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_contact)
 const struct ts_bond_style ts_bond_contact = {
 	.style = { .name = "contact",
 		   .kind = TS_KIND_BOND,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "contact bond: a breakable linear spring between two centres",
 		   .doc = "The bond force acts along the line of centres:\n\n"
 			  "  F = -K U - damping dU/dt,   U = r - r0\n\n"

@@ -63,9 +63,9 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	struct ts_bond_event *e;
 	double d[3];
 
-	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK ||
-	    TS_GROW(bonds->event_energy, bonds->energy_capacity, bonds->nevents + 1) != TS_OK)
-		return ts_nomem(&sim->error);
+	if (i >= p->n) /* the other rank records it */
+		return TS_OK;
+	TS_TRY(ts_bonds_reserve_events(sim, bonds->nevents + 1));
 	e = &bonds->event[bonds->nevents++];
 	memset(e, 0, sizeof *e); /* events are archived as bytes, padding included */
 	e->step = sim->clock.step;
@@ -84,7 +84,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 		bonds->event_energy[bonds->nevents - 1] = spring_energy(sim, b);
 	if (bonds->breaks[b] > 1)
 		e->mode = bonds->breaks[b] - TS_BOND_BREAKS_BY(0);
-	return TS_OK;
+	return ts_bonds_note_event(bonds, b) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_bonds_break(struct tsim *sim)

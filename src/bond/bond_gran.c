@@ -211,6 +211,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_gran)
 const struct ts_bond_style ts_bond_gran = {
 	.style = { .name = "gran",
 		   .kind = TS_KIND_BOND,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "bond with shear, bending and torsion, with the arguments of LIGGGHTS Flexible "
 			      "Fibers",
 		   .doc = "The bond of LIGGGHTS for flexible fibres, for its scripts; bond parallel and beam "

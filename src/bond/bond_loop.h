@@ -132,13 +132,13 @@ TS_INLINE void ts_bond_add_forces(double (*f)[3], const struct ts_bond_slice *sl
 			f[slice->particle[lane]][c] += sum[c][lane];
 }
 
-/* Stores tensions and breakage. Each bond is computed for both partners: only the copy of the first
- * partner is stored. */
-static inline void ts_bond_store_tensions(const struct ts_bond_lanes *l, const uint32_t *bond,
+/* Stores tensions and breakage. Each bond is computed for both partners: only the copy of the first partner is stored,
+ * of the second one if the first is a particle of another rank. n: particles of this rank. */
+static inline void ts_bond_store_tensions(const struct ts_bond_lanes *l, const uint32_t *bond, size_t n,
 					  struct ts_bonds *bonds)
 {
 	for (size_t k = 0; k < TS_BOND_LANES; k++) {
-		if (bond[k] & 1)
+		if (bond[k] == TS_BOND_NONE || (bond[k] & 1 && (size_t)bonds->row[bond[k] >> 1][0] < n))
 			continue;
 		bonds->tension[bond[k] >> 1] = l->tension[k];
 		bonds->breaks[bond[k] >> 1] = l->breaks[k] > 0;
@@ -176,7 +176,7 @@ TS_INLINE long ts_bond_compute_slice(const struct ts_bond_task *t, const struct 
 			sum[c] += *(const ts_eight *)l.force[c];
 		broken += *(const ts_eight *)l.breaks;
 		if (store)
-			ts_bond_store_tensions(&l, s->bond[row], t->bonds);
+			ts_bond_store_tensions(&l, s->bond[row], t->p->n, t->bonds);
 	}
 	for (int k = 0; k < TS_BOND_LANES; k++)
 		count += broken[k];

@@ -158,6 +158,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_parallel)
 const struct ts_bond_style ts_bond_parallel = {
 	.style = { .name = "parallel",
 		   .kind = TS_KIND_BOND,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "parallel bond: a disc of cement with normal, shear, bending and torsional "
 			      "stiffness",
 		   .doc = "A disc of elastic material between two particles, midway between their surfaces, "

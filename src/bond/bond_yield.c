@@ -103,7 +103,10 @@ enum ts_status ts_bond_turn_and_yield(struct ts_instance *self, struct tsim *sim
 
 	bonds->flow = 0;
 	TS_TRY(ts_bond_turn(self, sim));
-	if (!bonds->n || !any_yields(&t))
+	if (!any_yields(&t))
+		return TS_OK;
+	ts_copies_forward(sim); /* partners on other ranks have moved, too */
+	if (!bonds->n)
 		return TS_OK;
 	t.work = ts_alloc(bonds->n, sizeof *t.work);
 	if (!t.work)

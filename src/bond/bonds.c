@@ -1,11 +1,9 @@
-/* The list of bonds: adding, deleting, archiving, and the local indices of partners after a rebuild. */
+/* The list of bonds: archiving, and the local indices of partners after a rebuild. */
 #include "bond/bonds.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/sort.h"
 #include "box/domain.h"
 #include "core/report.h"
 #include "math/vec3.h"
@@ -25,213 +23,6 @@ const char *ts_bond_failure_name(int mode)
 	};
 
 	return mode >= 0 && mode < TS_BOND_FAILURES ? name[mode] : "unknown";
-}
-
-static enum ts_status reserve_bonds(struct ts_bonds *b, size_t n)
-{
-	size_t start = b->capacity, capacity = start;
-
-#define GROW_COLUMN(column)                              \
-	do {                                             \
-		capacity = start;                        \
-		TS_TRY(TS_GROW(b->column, capacity, n)); \
-	} while (0)
-	GROW_COLUMN(tag);
-	GROW_COLUMN(type);
-	GROW_COLUMN(rest);
-	GROW_COLUMN(row);
-	GROW_COLUMN(tension);
-	GROW_COLUMN(breaks);
-#undef GROW_COLUMN
-	b->capacity = capacity;
-	if (b->softens) {
-		TS_TRY(TS_GROW(b->damage, b->damage_capacity, n));
-		TS_TRY(TS_GROW(b->lost, b->lost_capacity, n));
-	}
-	if (!b->transmits)
-		return TS_OK;
-	TS_TRY(TS_GROW(b->reference, b->reference_capacity, n));
-	return TS_GROW(b->load, b->load_capacity, n);
-}
-
-enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments)
-{
-	struct ts_bonds *b = sim->bonds;
-
-	if (b->transmits == moments)
-		return TS_OK;
-	b->transmits = moments;
-	if (moments) {
-		if (reserve_bonds(b, b->n + 1) != TS_OK)
-			return ts_nomem(&sim->error);
-		memset(b->reference, 0, b->n * sizeof *b->reference);
-		memset(b->load, 0, b->n * sizeof *b->load);
-		return TS_OK;
-	}
-	ts_free(b->reference);
-	ts_free(b->load);
-	b->reference = NULL;
-	b->load = NULL;
-	b->reference_capacity = b->load_capacity = 0;
-	return TS_OK;
-}
-
-enum ts_status ts_bonds_soften(struct tsim *sim, bool softens)
-{
-	struct ts_bonds *b = sim->bonds;
-
-	if (b->softens == softens)
-		return TS_OK;
-	b->softens = softens;
-	if (softens) {
-		if (reserve_bonds(b, b->n + 1) != TS_OK)
-			return ts_nomem(&sim->error);
-		memset(b->damage, 0, b->n * sizeof *b->damage);
-		return TS_OK;
-	}
-	ts_free(b->damage);
-	ts_free(b->lost);
-	b->damage = NULL;
-	b->lost = NULL;
-	b->damage_capacity = b->lost_capacity = 0;
-	return TS_OK;
-}
-
-enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest)
-{
-	struct ts_bonds *b = sim->bonds;
-
-	if (reserve_bonds(b, b->n + 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	b->tag[b->n][0] = tag_a < tag_b ? tag_a : tag_b;
-	b->tag[b->n][1] = tag_a < tag_b ? tag_b : tag_a;
-	b->type[b->n] = type;
-	b->rest[b->n] = rest;
-	b->tension[b->n] = 0;
-	if (b->transmits) {
-		b->reference[b->n] = (struct ts_bond_reference){ 0 };
-		b->load[b->n] = (struct ts_bond_load){ 0 };
-	}
-	if (b->softens)
-		b->damage[b->n] = (struct ts_bond_damage){ 0 };
-	b->n++;
-	b->created++;
-	return TS_OK;
-}
-
-static int compare_tags(const int32_t a[2], const int32_t b[2])
-{
-	if (a[0] != b[0])
-		return a[0] < b[0] ? -1 : 1;
-	return (a[1] > b[1]) - (a[1] < b[1]);
-}
-
-/* The bond that comes next. */
-struct place {
-	int32_t tag[2];
-	uint32_t from;
-};
-
-static int compare_places(const void *a, const void *b)
-{
-	const struct place *p = a, *q = b;
-	int c = compare_tags(p->tag, q->tag);
-
-	return c ? c : (p->from > q->from) - (p->from < q->from);
-}
-
-/* Sorts a column, whose elements have `size` bytes. */
-static void reorder(void *column, size_t size, const struct place *order, size_t n, char *room)
-{
-	for (size_t k = 0; k < n; k++)
-		memcpy(room + k * size, (char *)column + order[k].from * size, size);
-	memcpy(column, room, n * size);
-}
-
-static bool is_sorted(const struct ts_bonds *b)
-{
-	for (size_t k = 1; k < b->n; k++)
-		if (compare_tags(b->tag[k - 1], b->tag[k]) > 0)
-			return false;
-	return true;
-}
-
-void ts_bonds_sort(struct ts_bonds *b)
-{
-	const struct {
-		void *column;
-		size_t size;
-		bool there;
-	} part[] = {
-		{ b->tag, sizeof *b->tag, true },
-		{ b->type, sizeof *b->type, true },
-		{ b->rest, sizeof *b->rest, true },
-		{ b->reference, sizeof *b->reference, b->transmits },
-		{ b->load, sizeof *b->load, b->transmits },
-		{ b->damage, sizeof *b->damage, b->softens },
-	};
-	size_t widest = 0;
-	struct place *order;
-	char *room;
-
-	if (is_sorted(b))
-		return;
-	for (size_t k = 0; k < sizeof part / sizeof *part; k++)
-		if (part[k].there && part[k].size > widest)
-			widest = part[k].size;
-	order = ts_alloc(b->n, sizeof *order);
-	room = ts_alloc(b->n, widest);
-	for (size_t k = 0; order && k < b->n; k++)
-		order[k] = (struct place){ { b->tag[k][0], b->tag[k][1] }, (uint32_t)k };
-	if (order && room) { /* the order only matters for the speed of look-up and for reproducible lists */
-		ts_sort(order, b->n, sizeof *order, compare_places);
-		for (size_t k = 0; k < sizeof part / sizeof *part; k++)
-			if (part[k].there)
-				reorder(part[k].column, part[k].size, order, b->n, room);
-	}
-	ts_free(order);
-	ts_free(room);
-}
-
-bool ts_bonds_has(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)
-{
-	int32_t wanted[2] = { tag_a < tag_b ? tag_a : tag_b, tag_a < tag_b ? tag_b : tag_a };
-	size_t lo = 0, hi = b->n;
-
-	while (lo < hi) {
-		size_t mid = (lo + hi) / 2;
-		int c = compare_tags(b->tag[mid], wanted);
-
-		if (c == 0)
-			return true;
-		if (c < 0)
-			lo = mid + 1;
-		else
-			hi = mid;
-	}
-	return false;
-}
-
-void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
-{
-	size_t kept = 0;
-
-	for (size_t k = 0; k < b->n; k++) {
-		if (flag[k])
-			continue;
-		memcpy(b->tag[kept], b->tag[k], sizeof b->tag[k]);
-		memcpy(b->row[kept], b->row[k], sizeof b->row[k]);
-		b->type[kept] = b->type[k];
-		b->rest[kept] = b->rest[k];
-		if (b->transmits) {
-			b->reference[kept] = b->reference[k];
-			b->load[kept] = b->load[k];
-		}
-		if (b->softens)
-			b->damage[kept] = b->damage[k];
-		b->tension[kept++] = b->tension[k];
-	}
-	b->n = kept;
 }
 
 static enum ts_status delete_bonds_of_lost_particles(struct tsim *sim, struct ts_bonds *b,
@@ -275,6 +66,7 @@ static bool are_bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 static void connect_bonds(struct tsim *sim)
 {
 	sim->neigh->callback.bonded = are_bonded;
+	sim->particles->claim = ts_bonds_claim;
 }
 
 static enum ts_status init_bonds(struct ts_instance *self, struct tsim *sim)
@@ -312,13 +104,17 @@ enum ts_status ts_bonds_connect(struct tsim *sim)
 	struct ts_bonds *b = sim->bonds;
 	struct ts_identities map;
 
-	if (!b->n)
+	if (!b->n && !b->ranks.divided)
 		return TS_OK;
-	TS_TRY(ts_identities(sim, false, &map));
-	TS_TRY(delete_bonds_of_lost_particles(sim, b, &map));
-	for (size_t k = 0; k < b->n; k++)
-		for (int s = 0; s < 2; s++)
-			b->row[k][s] = ts_identity_row(&map, b->tag[k][s]);
+	if (sim->division) {
+		TS_TRY(ts_bonds_connect_own(sim, b));
+	} else {
+		TS_TRY(ts_identities(sim, false, &map));
+		TS_TRY(delete_bonds_of_lost_particles(sim, b, &map));
+		for (size_t k = 0; k < b->n; k++)
+			for (int s = 0; s < 2; s++)
+				b->row[k][s] = ts_identity_row(&map, b->tag[k][s]);
+	}
 	TS_TRY(refuse_coincident_partners(sim, b));
 	return ts_bonds_build_index(sim);
 }
@@ -377,10 +173,8 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible number of bonds");
 	TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, 2 * (size_t)n[0]));
 	TS_TRY(ts_archive_expect(a, "events", TS_SAVED_U8, (size_t)n[1] * sizeof *b->event));
-	if (reserve_bonds(b, (size_t)n[0]) != TS_OK ||
-	    TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK ||
-	    TS_GROW(b->event_energy, b->energy_capacity, (size_t)n[1]) != TS_OK)
-		return ts_nomem(&sim->error);
+	TS_TRY(ts_bonds_reserve(sim, (size_t)n[0]));
+	TS_TRY(ts_bonds_reserve_events(sim, (size_t)n[1]));
 	b->n = (size_t)n[0];
 	b->nevents = (size_t)n[1];
 	TS_TRY(ts_archive_fixed(a, "tag", TS_SAVED_I32, b->tag, 2 * b->n));
@@ -452,11 +246,13 @@ static void release_bonds(struct ts_instance *self)
 	ts_bond_rows_release(&b->rows);
 	ts_free(b->event);
 	ts_free(b->event_energy);
+	ts_free(b->ranks.number);
+	ts_free(b->ranks.event_number);
 }
 
 static enum ts_status count_bonds(struct tsim *sim, double *out)
 {
-	*out = (double)sim->bonds->n;
+	*out = (double)ts_bonds_count(sim->bonds);
 	return TS_OK;
 }
 
@@ -488,11 +284,6 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
-static const char *undivided(const struct tsim *sim)
-{
-	return sim->bonds->n ? "a scene with bonds" : NULL;
-}
-
 const struct ts_system_style ts_bonds_system = {
 	.style = { .name = "bonds",
 		   .kind = TS_KIND_SYSTEM,
@@ -504,9 +295,10 @@ const struct ts_system_style ts_bonds_system = {
 		   .init = init_bonds,
 		   .hook = { [TS_STAGE_BUILD] = update_partner_indices },
 		   .plan = report_memory,
+		   .join = ts_bonds_join,
+		   .carrier = &ts_bonds_carrier,
 		   .fini = release_bonds },
 	.slot = offsetof(struct tsim, bonds),
 	.connect = connect_bonds,
-	.undivided = undivided,
 	.keywords = keywords,
 };

@@ -6,6 +6,7 @@
 #define TS_BOND_BONDS_H
 
 #include "base/parallel.h"
+#include "bond/bond_ranks.h"
 #include "bond/bond_rows.h"
 #include "bond/bond_slices.h"
 #include "core/coeff.h"
@@ -75,10 +76,11 @@ struct ts_bonds {
 	/* the order in which bonds are computed: central springs by slices, bonds that transmit moments by rows */
 	struct ts_bond_slices slices;
 	struct ts_bond_rows rows;
+	struct ts_bond_ranks ranks;
 
 	int ntypes;
 	int64_t created, broken; /* totals over all runs */
-	int64_t gone;		 /* totals of unbroken bonds removed because a partner left the simulation */
+	int64_t gone;		 /* total of unbroken bonds removed because a partner left the simulation */
 	struct ts_bond_event *event;
 	double *event_energy; /* elastic energy of the bond when it broke; NaN: no potential, or an old restart file */
 	size_t nevents, event_capacity, energy_capacity, reference_capacity, load_capacity, damage_capacity,
@@ -158,6 +160,18 @@ enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments);
 enum ts_status ts_bonds_soften(struct tsim *sim, bool softens);
 /* Removes the bonds whose flag is set. */
 void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
+/* Bond k becomes bond key[k], of which the lower 32 bits count. TS_OK or TS_NOMEM. */
+enum ts_status ts_bonds_reorder(struct ts_bonds *bonds, const uint64_t *key);
+enum ts_status ts_bonds_reserve(struct tsim *sim, size_t n);
+enum ts_status ts_bonds_reserve_events(struct tsim *sim, size_t n);
+
+/* The columns of the list that are present, without rows of partners and flags, which are valid in a step only. */
+enum { TS_BOND_COLUMNS = 8 };
+struct ts_bond_column {
+	void *data;
+	size_t size; /* bytes of an element */
+};
+size_t ts_bond_columns(const struct ts_bonds *bonds, struct ts_bond_column column[TS_BOND_COLUMNS]);
 
 /* Finds the local indices of the partners, deletes bonds of particles that have left, and rebuilds the lists of
  * bonds by particle. */

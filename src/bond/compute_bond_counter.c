@@ -23,7 +23,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		if (counts)
 			s->mark[k] = total[k];
 	}
-	out->data[INTACT] = (double)sim->bonds->n;
+	out->data[INTACT] = (double)ts_bonds_count(sim->bonds);
 	return TS_OK;
 }
 
@@ -42,6 +42,7 @@ TS_STYLE(compute, ts_style, ts_compute_bond_counter)
 const struct ts_style ts_compute_bond_counter = {
 	.name = "bond/counter",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "numbers of bonds created, broken and intact",
 	.doc = "c_ID[1] and c_ID[2] are the numbers of bonds that were created and that broke since this "
 	       "compute was output last, c_ID[3] is the present number of bonds. c_ID[4] to c_ID[6] are the "

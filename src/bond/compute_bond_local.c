@@ -157,6 +157,7 @@ TS_STYLE(compute, ts_style, ts_compute_bond_local)
 const struct ts_style ts_compute_bond_local = {
 	.name = "bond/local",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "length, force, moments and stresses of each bond",
 	.doc = "A local array with one row for each bond whose partners are both in the group. Columns: dist "
 	       "(length), rest (rest length), force (force along the bond, > 0 repulsive), fx fy fz (force "

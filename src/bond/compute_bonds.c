@@ -82,6 +82,7 @@ TS_STYLE(compute, ts_style, ts_compute_bonds)
 const struct ts_style ts_compute_bonds = {
 	.name = "bonds",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "number, coordination number and list of bonds",
 	.doc = "Considers bonds with both partners in the group. The scalar c_ID is their number, the "
 	       "per-atom vector c_ID the number of bonds of each particle, and the local array c_ID[k] (dump "

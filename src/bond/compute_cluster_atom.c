@@ -47,6 +47,7 @@ TS_STYLE(compute, ts_style, ts_compute_cluster_atom)
 const struct ts_style ts_compute_cluster_atom = {
 	.name = "cluster/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "cluster ID of each particle",
 	.doc = "Two particles of the group are connected if the distance of their centres is less than the "
 	       "cutoff, periodic images included. A cluster is a set of particles that are connected "
@@ -62,6 +63,7 @@ TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
 const struct ts_style ts_compute_aggregate_atom = {
 	.name = "aggregate/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "aggregate ID of each particle",
 	.doc = "Like compute cluster/atom, but bonded particles are connected as well, at any distance. The "
 	       "ID of an aggregate is the smallest particle ID in it; particles outside the group have 0.",

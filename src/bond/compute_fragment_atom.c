@@ -29,6 +29,7 @@ TS_STYLE(compute, ts_style, ts_compute_fragment_atom)
 const struct ts_style ts_compute_fragment_atom = {
 	.name = "fragment/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "fragment ID of each particle",
 	.doc = "A fragment is a set of particles of the group that are connected by bonds, directly or "
 	       "through others. Its ID is the smallest particle ID in it. Particles outside the group have "

@@ -54,6 +54,7 @@ TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
 const struct ts_style ts_compute_nbond_atom = {
 	.name = "nbond/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "number of bonds of each particle",
 	.doc = "Counts the unbroken bonds of each particle of the group, those to partners outside the group "
 	       "included. Particles outside the group have 0.",

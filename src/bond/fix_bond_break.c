@@ -55,6 +55,13 @@ static size_t list_options(const struct ts_instance *self, const struct tsim *si
 	return n;
 }
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct cut *c = self->state;
+
+	return !(sim->clock.step % c->every);
+}
+
 static enum ts_status break_bonds(struct ts_instance *self, struct tsim *sim)
 {
 	struct cut *c = self->state;
@@ -64,7 +71,7 @@ static enum ts_status break_bonds(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 	size_t *bond, n;
 
-	if (sim->clock.step % c->every)
+	if (!is_due(self, sim))
 		return TS_OK;
 	option = ts_alloc(bonds->n, sizeof *option);
 	chosen = ts_alloc(bonds->n, sizeof *chosen);
@@ -116,6 +123,7 @@ TS_STYLE(fix, ts_style, ts_fix_bond_break)
 const struct ts_style ts_fix_bond_break = {
 	.name = "bond/break",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
 	.summary = "breaks bonds that are longer than a given length",
 	.doc = "In every step that is a multiple of Nevery, before the forces, bonds of this type that are "
 	       "longer than Rmax and whose particles are both in the group may break. A bond breaks if it is "
@@ -130,5 +138,6 @@ const struct ts_style ts_fix_bond_break = {
 	.saved = saved,
 	.values = values,
 	.init = init,
+	.due = is_due,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = break_bonds },
 };

@@ -71,12 +71,19 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* With several ranks events are written when all of them are known anyway. */
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	(void)self, (void)sim;
+	return false;
+}
+
 static enum ts_status write_new_events(struct ts_instance *self, struct tsim *sim)
 {
 	struct breakage *s = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
 
-	if (!ts_textfile_is_open(&s->file) || s->written == (int64_t)bonds->nevents)
+	if (sim->division || !ts_textfile_is_open(&s->file) || s->written == (int64_t)bonds->nevents)
 		return TS_OK;
 	if (ts_csv_is(s->path))
 		return write_table(s, sim);
@@ -151,6 +158,7 @@ TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
 const struct ts_style ts_fix_bond_breakage = {
 	.name = "bond/breakage",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "lists broken bonds with time and position",
 	.doc = "Writes one line for each bond that breaks: step, time, IDs i and j of the partners, bond "
 	       "type, midpoint x y z of the partners, and the bond force at breakage (> 0 in tension); for "
@@ -158,12 +166,14 @@ const struct ts_style ts_fix_bond_breakage = {
 	       "fix bond/break) or temperature; last the elastic energy of the bond, which is lost. The same "
 	       "list is available as a local array for dump local, with the mode as number: 0 force (central "
 	       "springs), 1 tension, 2 shear, 3 compression, 4 cut, 5 temperature. Bonds of all groups are "
-	       "listed.",
+	       "listed. With several ranks lines are written at steps with other output, and at the end of "
+	       "a run.",
 	.example = "fix crack all bond/breakage file post/broken.txt",
 	.args = args,
 	.state_size = sizeof(struct breakage),
 	.saved = saved,
 	.values = values,
 	.hook = { [TS_STAGE_SETUP] = open_file, [TS_STAGE_END_OF_STEP] = write_new_events },
+	.due = is_due,
 	.fini = fini,
 };

@@ -151,13 +151,20 @@ static enum ts_status choose_and_add(struct tsim *sim, const struct choice *choi
 	return status;
 }
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct create *c = self->state;
+
+	return !(sim->clock.step % c->every);
+}
+
 static enum ts_status create_bonds(struct ts_instance *self, struct tsim *sim)
 {
 	struct create *c = self->state;
 	struct choice choice = { .fix = c };
 	enum ts_status status;
 
-	if (sim->clock.step % c->every)
+	if (!is_due(self, sim))
 		return TS_OK;
 	c->number[0] = 0;
 	choice.count = count_bonds(c, sim);
@@ -212,6 +219,7 @@ TS_STYLE(fix, ts_style, ts_fix_bond_create)
 const struct ts_style ts_fix_bond_create = {
 	.name = "bond/create",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
 	.summary = "bonds each particle to its nearest partner",
 	.doc = "In every step that is a multiple of Nevery, before the forces, pairs of the group with these "
 	       "types, closer than Rmin and not bonded, may get a bond, whose rest length is their distance. "
@@ -228,5 +236,6 @@ const struct ts_style ts_fix_bond_create = {
 	.saved = saved,
 	.values = values,
 	.init = init,
+	.due = is_due,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = create_bonds },
 };

@@ -39,6 +39,13 @@ static enum ts_status add_bonds(struct tsim *sim, struct create *c, const struct
 	return status;
 }
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct create *c = self->state;
+
+	return c->every && !(sim->clock.step % c->every);
+}
+
 static enum ts_status create_bonds(struct ts_instance *self, struct tsim *sim)
 {
 	struct create *c = self->state;
@@ -46,7 +53,7 @@ static enum ts_status create_bonds(struct ts_instance *self, struct tsim *sim)
 	int64_t before = c->created;
 	enum ts_status status;
 
-	if (!c->every || sim->clock.step % c->every)
+	if (!is_due(self, sim))
 		return TS_OK;
 	status = ts_bond_search(sim, self->group, c->cutoff, has_types, c, &self->where, &found);
 	if (status == TS_OK)
@@ -130,6 +137,7 @@ TS_STYLE(fix, ts_style, ts_fix_bond_create_gran)
 const struct ts_style ts_fix_bond_create_gran = {
 	.name = "bond/create/gran",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
 	.summary = "bonds particles that are near each other, during a run",
 	.doc = "In every step that is a multiple of `every`, pairs of the group with these types, closer "
 	       "than the cutoff and not bonded, get a bond of the given type, whose rest length is their "
@@ -149,5 +157,6 @@ const struct ts_style ts_fix_bond_create_gran = {
 	.values = values,
 	.init = init,
 	.modify = modify,
+	.due = is_due,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = create_bonds },
 };

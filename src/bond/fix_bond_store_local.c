@@ -94,6 +94,7 @@ TS_STYLE(fix, ts_style, ts_fix_bond_store_local)
 const struct ts_style ts_fix_bond_store_local = {
 	.name = "bond/store/local",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "lists the bonds broken in an interval, for dump local",
 	.doc = "A local array with one row for each bond that broke after the last multiple of N before the "
 	       "present step: at a multiple of N, those of the last N steps. A dump local every N steps "

@@ -89,6 +89,7 @@ TS_STYLE(compute, ts_style, ts_compute_pair_gran_local_bond)
 const struct ts_style ts_compute_pair_gran_local_bond = {
 	.name = "pair/gran/local/bond",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Forces, positions and other quantities of each bond",
 	.doc = "A table with a row for each bond whose particles are both in the group, in the columns of "
 	       "compute pair/gran/local. The particle with the smaller ID is the first. force is that of the "

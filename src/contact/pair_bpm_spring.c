@@ -137,6 +137,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_bpm_spring)
 const struct ts_pair_style ts_pair_bpm_spring = {
 	.style = { .name = "bpm/spring",
 		   .kind = TS_KIND_PAIR,
+		   .ranks = TS_RANKS_OWN,
 		   .summary =
 			   "repulsive spring with a damping that begins at zero, of LAMMPS' bonded particles",
 		   .doc = "Particles nearer than r_c repel each other with\n\n"

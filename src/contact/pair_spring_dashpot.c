@@ -69,6 +69,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 const struct ts_pair_style ts_pair_spring_dashpot = {
 	.style = { .name = "spring/dashpot",
 		   .kind = TS_KIND_PAIR,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "linear spring and dashpot, normal force only",
 		   .doc = "Overlapping spheres repel with F = k delta - beta v_n along the line of centres, "
 			  "delta = r_i + r_j - |x_i - x_j|, v_n > 0 while separating.\n\n"

@@ -4,15 +4,23 @@
 
 #include "core/report.h"
 #include "math/constants.h"
+#include "particle/identity.h"
 #include "particle/particles.h"
+#include "particle/rank_sums.h"
 
 #include "base/banned.h"
 
 enum { NCUTTERS = 4 };
 
-/* Indices of the cutters (in the order of ids) and of the body particle; -1: none. */
+/* The cutters, in the order of ids, and the body particle. */
 struct bit_particles {
-	int32_t cutter[NCUTTERS], body;
+	int32_t tag[NCUTTERS + 1];	/* 0: no body */
+	int32_t cutter[NCUTTERS], body; /* indices; -1: none, or a particle of another rank */
+};
+
+/* What is known of all cutters, also of those of other ranks. */
+struct cutters {
+	double z[NCUTTERS], vz[NCUTTERS], f[NCUTTERS][3];
 };
 
 struct bit {
@@ -24,81 +32,145 @@ struct bit {
 	/* outputs of the last step */
 	double tangential, radial, axial, torque;
 	struct bit_particles index;
+	struct cutters all;
 };
 
-static enum ts_status find_particles(struct ts_instance *self, struct tsim *sim)
+static void sort_into(struct bit_particles *index, const struct ts_particles *p, int n, size_t i)
+{
+	int at = n < NCUTTERS ? n : NCUTTERS - 1;
+
+	for (; at && p->tag[index->cutter[at - 1]] > p->tag[i]; at--)
+		index->cutter[at] = index->cutter[at - 1];
+	index->cutter[at] = (int32_t)i;
+}
+
+/* Finds them by their groups; returns the number of cutters. */
+static int find_all(const struct ts_instance *self, const struct ts_particles *p)
 {
 	struct bit *b = self->state;
-	const struct ts_particles *p = sim->particles;
 	int n = 0;
 
 	b->index.body = -1;
 	for (size_t i = 0; i < p->n; i++) {
-		if (b->body_group >= 0 && ts_in_group(p, i, b->body_group)) {
+		if (b->body_group >= 0 && ts_in_group(p, i, b->body_group))
 			b->index.body = (int32_t)i;
-		} else if (ts_in_group(p, i, self->group)) {
-			int at = n < NCUTTERS ? n : NCUTTERS - 1;
+		else if (ts_in_group(p, i, self->group))
+			sort_into(&b->index, p, n++, i);
+	}
+	for (int k = 0; k < NCUTTERS && k < n; k++)
+		b->index.tag[k] = p->tag[b->index.cutter[k]];
+	b->index.tag[NCUTTERS] = b->index.body < 0 ? 0 : p->tag[b->index.body];
+	return n;
+}
 
-			for (; at && p->tag[b->index.cutter[at - 1]] > p->tag[i]; at--)
-				b->index.cutter[at] = b->index.cutter[at - 1];
-			b->index.cutter[at] = (int32_t)i;
-			n++;
-		}
+/* Finds those of this rank, of the particles that all ranks have found before; returns the number of cutters. */
+static enum ts_status find_own(struct tsim *sim, struct bit_particles *index, int *n, bool *body)
+{
+	struct ts_identities map;
+	int64_t found[2] = { 0, 0 };
+
+	TS_TRY(ts_identities(sim, false, &map));
+	for (int k = 0; k < NCUTTERS; k++) {
+		index->cutter[k] = ts_identity_row(&map, index->tag[k]);
+		found[0] += index->cutter[k] >= 0;
+	}
+	index->body = ts_identity_row(&map, index->tag[NCUTTERS]);
+	found[1] = index->body >= 0;
+	for (int k = 0; k < 2; k++)
+		ts_rank_sums_count(sim, &found[k]);
+	*n = (int)found[0];
+	*body = found[1] > 0;
+	return TS_OK;
+}
+
+static enum ts_status find_particles(struct ts_instance *self, struct tsim *sim)
+{
+	struct bit *b = self->state;
+	bool body;
+	int n;
+
+	if (sim->division) {
+		TS_TRY(find_own(sim, &b->index, &n, &body));
+	} else {
+		n = find_all(self, sim->particles);
+		body = b->index.body >= 0;
 	}
 	if (n != NCUTTERS)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix drill/bit: its group has %d cutters, expected %d particles%s", n,
 			       NCUTTERS, sim->run.inside ? ": the bit has left the box" : "");
-	if (b->body_group >= 0 && b->index.body < 0)
+	if (b->body_group >= 0 && !body)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix drill/bit: the body group is empty, expected one particle%s",
 			       sim->run.inside ? ": the bit has left the box" : "");
 	return TS_OK;
 }
 
-static double mean_height(const struct bit *b, const struct ts_particles *p)
+/* Each number is known on one rank: the largest of all. */
+static void look_at_cutters(const struct tsim *sim, struct bit *b)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (int k = 0; k < NCUTTERS; k++) {
+		int32_t i = b->index.cutter[k];
+
+		b->all.z[k] = i < 0 ? -INFINITY : p->x[i][2];
+		b->all.vz[k] = i < 0 ? -INFINITY : p->v[i][2];
+		for (int d = 0; d < 3; d++)
+			b->all.f[k][d] = i < 0 ? -INFINITY : p->f[i][d];
+	}
+	ts_rank_sums_most(sim, (double *)&b->all, sizeof b->all / sizeof(double));
+}
+
+static double mean_height(const struct bit *b)
 {
 	double sum = 0;
 
 	for (int k = 0; k < NCUTTERS; k++)
-		sum += p->x[b->index.cutter[k]][2];
+		sum += b->all.z[k];
 	return sum / NCUTTERS;
 }
 
-static double mean_velocity(const struct bit *b, const struct ts_particles *p)
+static double mean_velocity(const struct bit *b)
 {
 	double sum = 0;
 
 	for (int k = 0; k < NCUTTERS; k++)
-		sum += p->v[b->index.cutter[k]][2];
+		sum += b->all.vz[k];
 	return sum / NCUTTERS;
 }
 
 /* Prescribes x and y of cutter k: cutters are 90 degrees apart on a circle around the axis. */
 static void place_cutter(const struct bit *b, struct ts_particles *p, int k, double omega)
 {
-	size_t i = (size_t)b->index.cutter[k];
+	int32_t i = b->index.cutter[k];
 	double angle = b->angle + k * (TS_PI / 2), r = 0.5 * b->diameter;
 
+	if (i < 0)
+		return;
 	p->x[i][0] = b->centre[0] + r * cos(angle);
 	p->x[i][1] = b->centre[1] + r * sin(angle);
 	p->v[i][0] = -omega * r * sin(angle);
 	p->v[i][1] = omega * r * cos(angle);
 }
 
-static void place_body(const struct bit *b, struct ts_particles *p)
+static void place_body(const struct tsim *sim, struct bit *b)
 {
+	const struct ts_particles *p = sim->particles;
 	double *x, *v;
 
+	if (!b->index.tag[NCUTTERS])
+		return;
+	look_at_cutters(sim, b);
 	if (b->index.body < 0)
 		return;
 	x = p->x[b->index.body];
 	v = p->v[b->index.body];
 	x[0] = b->centre[0];
 	x[1] = b->centre[1];
-	x[2] = mean_height(b, p) + b->clearance;
+	x[2] = mean_height(b) + b->clearance;
 	v[0] = v[1] = 0;
-	v[2] = mean_velocity(b, p);
+	v[2] = mean_velocity(b);
 }
 
 static enum ts_status place_bit(struct ts_instance *self, struct tsim *sim)
@@ -109,7 +181,7 @@ static enum ts_status place_bit(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_number_now(sim, &b->omega, &self->where, &omega));
 	for (int k = 0; k < NCUTTERS; k++)
 		place_cutter(b, sim->particles, k, omega);
-	place_body(b, sim->particles);
+	place_body(sim, b);
 	return TS_OK;
 }
 
@@ -122,8 +194,10 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	TS_TRY(ts_number_now(sim, &b->omega, &self->where, &omega));
 	b->angle += omega * dt;
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->index.cutter[k];
+		int32_t i = b->index.cutter[k];
 
+		if (i < 0)
+			continue;
 		p->v[i][2] += 0.5 * dt / p->mass[i] * p->f[i][2];
 		p->x[i][2] += dt * p->v[i][2];
 	}
@@ -136,12 +210,16 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	struct ts_particles *p = sim->particles;
 
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->index.cutter[k];
+		int32_t i = b->index.cutter[k];
 
+		if (i < 0)
+			continue;
 		p->v[i][2] += 0.5 * sim->clock.dt / p->mass[i] * p->f[i][2];
 	}
+	if (b->index.tag[NCUTTERS] || !sim->division)
+		look_at_cutters(sim, b);
 	if (b->index.body >= 0)
-		p->v[b->index.body][2] = mean_velocity(b, p);
+		p->v[b->index.body][2] = mean_velocity(b);
 	return TS_OK;
 }
 
@@ -160,19 +238,19 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 
 /* Sums the contact forces on the cutters: tangential > 0 opposes the rotation, radial > 0 points outwards,
  * axial > 0 lifts the bit. */
-static void sum_reactions(struct bit *b, const struct ts_particles *p, double omega)
+static void sum_reactions(struct bit *b, double omega)
 {
 	double sense = omega < 0 ? -1 : 1;
 
 	b->tangential = b->radial = b->axial = 0;
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->index.cutter[k];
+		const double *f = b->all.f[k];
 		double angle = b->angle + k * (TS_PI / 2);
 		double c = cos(angle), s = sin(angle);
 
-		b->tangential -= sense * (-s * p->f[i][0] + c * p->f[i][1]);
-		b->radial += c * p->f[i][0] + s * p->f[i][1];
-		b->axial += p->f[i][2];
+		b->tangential -= sense * (-s * f[0] + c * f[1]);
+		b->radial += c * f[0] + s * f[1];
+		b->axial += f[2];
 	}
 	b->torque = 0.5 * b->diameter * b->tangential;
 }
@@ -180,10 +258,12 @@ static void sum_reactions(struct bit *b, const struct ts_particles *p, double om
 /* In the stage FORCE: contact and bond forces have been added, those of other fixes have not. */
 static enum ts_status measure_contacts(struct ts_instance *self, struct tsim *sim)
 {
+	struct bit *b = self->state;
 	double omega;
 
-	TS_TRY(ts_number_now(sim, &((struct bit *)self->state)->omega, &self->where, &omega));
-	sum_reactions(self->state, sim->particles, omega);
+	TS_TRY(ts_number_now(sim, &b->omega, &self->where, &omega));
+	look_at_cutters(sim, b);
+	sum_reactions(b, omega);
 	return TS_OK;
 }
 
@@ -191,13 +271,14 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct bit *b = self->state;
 	struct ts_particles *p = sim->particles;
-	double mean = mean_height(b, p), mean_v = mean_velocity(b, p);
+	double mean = mean_height(b), mean_v = mean_velocity(b);
 
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->index.cutter[k];
+		int32_t i = b->index.cutter[k];
 
-		p->f[i][2] -= b->wob / NCUTTERS + b->spring * (p->x[i][2] - mean) +
-			      b->damping * (p->v[i][2] - mean_v);
+		if (i >= 0)
+			p->f[i][2] -= b->wob / NCUTTERS + b->spring * (p->x[i][2] - mean) +
+				      b->damping * (p->v[i][2] - mean_v);
 	}
 	return TS_OK;
 }
@@ -217,23 +298,35 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 			       &self->where, "the coupling spring of fix drill/bit");
 }
 
+/* For outputs after the step. */
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	look_at_cutters(sim, self->state);
+	return TS_OK;
+}
+
+/* While all ranks look at the particles indices are those of their own ones, and `join` has looked at all. */
+static void look_again(const struct tsim *sim, struct bit *b)
+{
+	if (!sim->run.looks)
+		look_at_cutters(sim, b);
+}
+
 static enum ts_status eval_height(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	out->data[0] = mean_height(self->state, sim->particles);
+	look_again(sim, self->state);
+	out->data[0] = mean_height(self->state);
 	return TS_OK;
 }
 
 static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct bit *b = self->state;
-	const double row[7] = { mean_height(b, sim->particles),
-				mean_velocity(b, sim->particles),
-				b->tangential,
-				b->radial,
-				b->axial,
-				b->torque,
-				b->angle };
+	struct bit *b = self->state;
+	double row[7] = { 0, 0, b->tangential, b->radial, b->axial, b->torque, b->angle };
 
+	look_again(sim, b);
+	row[0] = mean_height(b);
+	row[1] = mean_velocity(b);
 	memcpy(out->data, row, sizeof row);
 	return TS_OK;
 }
@@ -288,6 +381,7 @@ TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 const struct ts_style ts_fix_drill_bit = {
 	.name = "drill/bit",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "A drag bit: four rotating cutter particles under a weight on bit, and a body particle",
 	.doc = "Models a drag bit. The group contains its four cutters. Their x and y are prescribed, 90 "
 	       "degrees apart on a circle around the axis:\n\n"
@@ -314,4 +408,5 @@ const struct ts_style ts_fix_drill_bit = {
 		  [TS_STAGE_POST_FORCE] = post_force,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
 	.plan = plan,
+	.join = join,
 };

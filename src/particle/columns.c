@@ -91,6 +91,7 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 		if (ts_streq(p->column[*index].name, name))
 			break;
 	if (*index < p->ncolumns) {
+		p->column[*index].flags |= flags & TS_COL_COPIED;
 		if (p->column[*index].width == width)
 			return TS_OK;
 		return ts_fail(&sim->error, TS_STATE, NULL,

@@ -14,7 +14,10 @@ struct state {
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	((struct state *)self->state)->sim = sim;
+	struct state *s = self->state;
+
+	s->sim = sim;
+	sim->run.shows_lists |= s->mode == BOND;
 	return TS_OK;
 }
 

@@ -6,6 +6,7 @@
 #include "base/sort.h"
 #include "particle/columns.h"
 #include "particle/division.h"
+#include "particle/identity.h"
 
 #include "base/banned.h"
 
@@ -83,25 +84,29 @@ void ts_copy_map_release(struct ts_copy_map *map)
 
 /* ---- rows of all columns */
 
-/* Bytes of a row in the active columns that have all of these flags. */
-static size_t row_bytes(const struct ts_particles *p, unsigned flags)
+static bool is_forwarded(const struct ts_column *c)
 {
-	size_t bytes = 0;
-
-	for (size_t k = 0; k < p->ncolumns; k++)
-		if (p->column[k].active && ((unsigned)p->column[k].flags & flags) == flags)
-			bytes += p->column[k].element * p->column[k].width;
-	return bytes;
+	return c->active && c->flags & (TS_COL_FORWARD | TS_COL_COPIED);
 }
 
 size_t ts_copies_row_bytes(const struct ts_particles *p)
 {
-	return row_bytes(p, 0);
+	size_t bytes = 0;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			bytes += p->column[k].element * p->column[k].width;
+	return bytes;
 }
 
 size_t ts_copies_step_bytes(const struct ts_particles *p)
 {
-	return row_bytes(p, TS_COL_FORWARD);
+	size_t bytes = 0;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (is_forwarded(&p->column[k]))
+			bytes += p->column[k].element * p->column[k].width;
+	return bytes;
 }
 
 enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out)
@@ -202,15 +207,9 @@ static enum ts_status list_copies(const struct tsim *sim, struct ts_copies *c, c
 	return status;
 }
 
-static enum ts_status send_copies(struct tsim *sim, struct ts_copies *c, double cutoff)
+static enum ts_status send_copies(struct tsim *sim, struct ts_copies *c, const struct sending *s)
 {
-	struct sending s = { .own = sim->world->rank };
-	enum ts_status status = find_copies(sim, cutoff, &s);
-
-	if (status == TS_OK)
-		status = list_copies(sim, c, &s);
-	ts_free(s.copy);
-	return status == TS_OK && ts_world_deliver(sim->world, c->out, c->in) == TS_OK
+	return list_copies(sim, c, s) == TS_OK && ts_world_deliver(sim->world, c->out, c->in) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
 }
@@ -233,25 +232,117 @@ static enum ts_status add_received(struct tsim *sim, struct ts_copies *c, int ra
 	return TS_OK;
 }
 
+static enum ts_status receive_copies(struct tsim *sim, struct ts_copies *c)
+{
+	sim->particles->nghost = c->n = 0;
+	for (int r = 0; r < sim->world->n; r++)
+		TS_TRY(add_received(sim, c, r));
+	return TS_OK;
+}
+
+/* ---- copies that are claimed */
+
+enum ts_status ts_claims_add(struct tsim *sim, struct ts_claims *claims, int32_t tag)
+{
+	const int32_t row[2] = { claims->rank, tag };
+
+	return ts_parcel_add(&claims->rows, row, sizeof row) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status find_claims(struct tsim *sim, struct ts_claims *claims)
+{
+	struct ts_copy_map map;
+	enum ts_status status;
+
+	if (ts_copy_map_make(sim, &map) != TS_OK)
+		return ts_nomem(&sim->error);
+	status = sim->particles->claim(sim, &map, claims);
+	ts_copy_map_release(&map);
+	return status;
+}
+
+/* Adds the own particles that other ranks claim. */
+static enum ts_status add_claimed(struct tsim *sim, const struct ts_parcel *claims, struct sending *s)
+{
+	struct ts_identities own;
+
+	TS_TRY(ts_identities(sim, false, &own));
+	for (size_t k = 0; k < claims->n / sizeof(int32_t[2]) && s->status == TS_OK; k++) {
+		int32_t row[2];
+
+		memcpy(row, claims->data + k * sizeof row, sizeof row);
+		s->particle = ts_identity_row(&own, row[1]);
+		if (s->particle >= 0)
+			note_copy(s, row[0]);
+	}
+	return s->status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+static int compare_copies(const void *a, const void *b)
+{
+	const int32_t *p = a, *q = b;
+
+	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* A rank may have claimed a particle several times. */
+static void remove_repeated(struct sending *s)
+{
+	size_t kept = 0;
+
+	ts_sort(s->copy, s->n, sizeof *s->copy, compare_copies);
+	for (size_t k = 0; k < s->n; k++) {
+		if (kept && !compare_copies(s->copy[kept - 1], s->copy[k]))
+			continue;
+		memmove(s->copy[kept++], s->copy[k], sizeof *s->copy);
+	}
+	s->n = kept;
+}
+
+/* If a rank claims particles, all make their copies again, with these. */
+static enum ts_status make_claimed(struct tsim *sim, struct ts_copies *c, struct sending *s)
+{
+	struct ts_claims claims = { .rank = sim->world->rank };
+	struct ts_parcel all = { 0 };
+	enum ts_status status = sim->particles->claim ? find_claims(sim, &claims) : TS_OK;
+	double most = (double)claims.rows.n;
+
+	if (status == TS_OK && claims.any)
+		ts_world_most(sim->world, &most, 1);
+	if (status == TS_OK && claims.any && most > 0) {
+		status = ts_world_share(sim->world, &claims.rows, &all);
+		status = status == TS_OK ? add_claimed(sim, &all, s) : ts_nomem(&sim->error);
+		remove_repeated(s);
+		if (status == TS_OK)
+			status = send_copies(sim, c, s);
+		if (status == TS_OK)
+			status = receive_copies(sim, c);
+	}
+	ts_parcel_release(&claims.rows);
+	ts_parcel_release(&all);
+	return status;
+}
+
 enum ts_status ts_copies_make(struct tsim *sim, double cutoff)
 {
 	struct ts_copies *c = &sim->division->copies;
+	struct sending s = { .own = sim->world->rank };
+	enum ts_status status = find_copies(sim, cutoff, &s) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 
-	c->n = 0;
-	TS_TRY(send_copies(sim, c, cutoff));
-	for (int r = 0; r < sim->world->n; r++)
-		TS_TRY(add_received(sim, c, r));
+	if (status == TS_OK)
+		status = send_copies(sim, c, &s);
+	if (status == TS_OK)
+		status = receive_copies(sim, c);
+	if (status == TS_OK)
+		status = make_claimed(sim, c, &s);
+	ts_free(s.copy);
+	TS_TRY(status);
 	sim->division->built++;
 	sim->division->made += (int64_t)c->n;
 	return TS_OK;
 }
 
 /* ---- in each step */
-
-static bool is_forwarded(const struct ts_column *c)
-{
-	return c->active && c->flags & TS_COL_FORWARD;
-}
 
 /* A constant size lets the compiler inline memcpy. */
 static void collect_rows(unsigned char *to, const struct ts_column *c, const int32_t *row, size_t n)

@@ -31,7 +31,7 @@ static enum ts_status add_column(struct tsim *sim, size_t *index)
 	bool known = find_column(p);
 
 	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
-	TS_TRY(ts_particles_add_column(sim, NAME, 4, TS_COL_NAMED, index));
+	TS_TRY(ts_particles_add_column(sim, NAME, 4, TS_COL_NAMED | TS_COL_COPIED, index));
 	if (known)
 		return TS_OK;
 	TS_TRY(ts_particles_column_initial(sim, *index, unit));

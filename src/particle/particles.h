@@ -41,7 +41,8 @@ enum ts_column_flags {
 	TS_COL_BORDER = 4,  /* copied to ghosts when they are created */
 	TS_COL_FORWARD = 8, /* copied to ghosts in every step */
 	TS_COL_RESULT = 16, /* forces do not depend on it: not part of the fingerprint */
-	TS_COL_NAMED = 32   /* added by a style; scripts read it as NAME or NAME[k] */
+	TS_COL_NAMED = 32,  /* added by a style; scripts read it as NAME or NAME[k] */
+	TS_COL_COPIED = 64  /* copied in every step to copies on other ranks, not to images */
 };
 
 #define TS_COLUMN_ENUM(id, name, type, width, flags) TS_COL_##id,
@@ -77,6 +78,9 @@ struct ts_missed_wall {
 	size_t i;	   /* the particle */
 	double flown, met; /* time of the whole way; until it touched the wall */
 };
+
+struct ts_copy_map;
+struct ts_claims;
 
 struct ts_particles {
 	size_t n, nghost, capacity; /* capacity: allocated rows, for local particles and ghosts together */
@@ -132,6 +136,10 @@ struct ts_particles {
 	size_t row_of_tag_capacity, sorted_tags_capacity;
 
 	/* Functions of folders above this one, set when their systems are initialised. */
+
+	/* Adds the particles of other ranks that this one needs copies of besides those near it (particle/copies.h);
+	 * set by the bonds. */
+	enum ts_status (*claim)(struct tsim *sim, const struct ts_copy_map *copies, struct ts_claims *claims);
 
 	/* Describes the contacts of particle i in a message; set by the neighbour search. */
 	void (*describe_contacts)(struct tsim *sim, size_t i, struct ts_str *out);

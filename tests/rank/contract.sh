@@ -15,6 +15,16 @@ sed '/energy\/ledger/d' "$decks/in.insertion" >in.insertion
 cp "$decks/in.pour" .
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
 
+# bonds NAME STYLE COEFFICIENTS: in.NAME, the fabric of in.beams with other bonds
+bonds() {
+	sed "s|^bond_style.*|bond_style $2|; s|^bond_coeff.*|bond_coeff 1 $3|" in.beams >"in.$1"
+}
+bonds cement parallel 'kn 1e9 ks 4e8 sigma_c 8e3 tau_c 9e3 soften 0.5 soften_by both friction_angle 20 damping 0.1'
+bonds fibres gran '1.0 0.0 1e6 1e6 1 0.1 1 6e3 5e3'
+bonds turning bpm/rotational '50 20 0.02 0.02 2e-1 1e-1 2e-4 2e-4 0.01 0.01 1e-6 1e-6'
+bonds stretched bpm/spring '500 0.02 0.01'
+sed -i 's,^pair_style.*,pair_style bpm/spring,; s,^pair_coeff.*,pair_coeff * * 1000 0.005 0.01,' in.stretched
+
 # names KIND: of the styles of this kind, the last block of its page
 names() {
 	"$TSIM" -help "$1" | awk '/^.tsim -help .* NAME/ { exit } /^  [^ ]/ { if (!inside) n = 0; inside = 1; name[n++] = $1; next }
@@ -74,7 +84,7 @@ files_of() {
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
-for scene in averages drum forces forces_hertz flat insertion pour; do
+for scene in averages drum forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit; do
 	files_of alone "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \

@@ -83,6 +83,10 @@ lines='newton|neighbor|neigh_modify|communicate|fix|pair|timestep|compute|variab
 resumed "$scenes/in.bed" 400 500 "$lines"
 resumed "$scenes/in.drum" 600 600 "$lines"
 sed '/energy\/ledger/d' "$top_srcdir/tests/decks/in.insertion" >in.insertion
+grep -Ev '^dump (bl|bs|bb|pg)|^compute (bl|bp|pgl)' "$scenes/in.rock" >in.block
+resumed in.block 300 300 "$lines|bond_|special_bonds"
+resumed "$scenes/in.springs" 301 299 "$lines|bond_"
+resumed "$scenes/in.bit" 601 599 "$lines|bond_"
 resumed in.insertion 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 
 # The blocks of `processors`.
