@@ -22,7 +22,7 @@ struct ts_contact_task {
 };
 
 /* Begins a contact: the pair `at` of the block becomes the last of the touching ones, with the history that
- * it has in the list. */
+ * it has in the list: that is read only where it may not be zero, as it is not in the cache. */
 TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_active_block *block, size_t at)
 {
 	struct ts_active_pair *active = list->active + block->first, pair = active[at];
@@ -33,7 +33,7 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_ac
 		ts_contact_memory_extend(list, block);
 	for (size_t c = 0; c < list->history_width; c++)
 		*ts_contact_memory(block, block->touching, c) =
-			*ts_contact_history(list, block, block->touching, c);
+			list->parted_history ? *ts_contact_history(list, block, block->touching, c) : 0;
 	block->touching++;
 	ts_contact_set_touching(list, pair.row, true);
 	ts_touching_sums_expire(list, &pair);

@@ -100,9 +100,10 @@ struct ts_contact_list {
 	int parts;
 	size_t result_capacity;
 
-	double *memory;	   /* the history of touching active pairs, in columns: see contact_memory.h */
-	double *spare;	   /* room for blocks whose columns have become too short; NULL: none can */
-	bool memory_newer; /* `memory` has been advanced since it was last copied to `history` */
+	double *memory;	     /* the history of touching active pairs, in columns: see contact_memory.h */
+	double *spare;	     /* room for blocks whose columns have become too short; NULL: none can */
+	bool memory_newer;   /* `memory` has been advanced since it was last copied to `history` */
+	bool parted_history; /* pairs that do not touch may have history: legacy, bridges that broke */
 	size_t history_width;
 	/* 1 + index of the history number that is > 0 while a liquid bridge exists; 0: no bridges */
 	size_t bridge_column;

@@ -220,6 +220,7 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 {
 	enum ts_contact_results results = kept ? TS_RESULTS_KEPT : TS_RESULTS_PASSED;
 
+	list->parted_history = sim->legacy || list->bridge_column;
 	if (list->results == results && !ts_active_pairs_outdated(list))
 		return TS_OK;
 	if (!kept && list->results == TS_RESULTS_KEPT)
@@ -231,7 +232,7 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 	TS_TRY(ts_active_pairs_choose(sim, list));
 	TS_TRY(ts_contacts_load_history(sim, list));
 	/* with all results a step takes the most memory; parted pairs have history only here, see contact_loop.h */
-	if (kept && !sim->legacy && !list->bridge_column) {
+	if (kept && !list->parted_history) {
 		list->memory_newer = true;
 		ts_contacts_forget_history(list);
 		ts_alloc_trim();
