@@ -36,7 +36,7 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_ac
 			list->parted_history ? *ts_contact_history(list, block, block->touching, c) : 0;
 	block->touching++;
 	ts_contact_set_touching(list, pair.row, true);
-	ts_touching_sums_expire(list, &pair);
+	ts_touching_sums_change(list, &pair, true);
 }
 
 /* Ends a contact: the touching pair `at` becomes the first of those that do not touch. Its history is set to
@@ -59,7 +59,7 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 	active[at] = active[block->touching];
 	active[block->touching] = pair;
 	ts_contact_set_touching(list, pair.row, false);
-	ts_touching_sums_expire(list, &pair);
+	ts_touching_sums_change(list, &pair, false);
 }
 
 /* Sets the force and torques of a slot to zero; `parts` as in struct ts_contact_list. */

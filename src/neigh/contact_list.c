@@ -209,6 +209,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	    TS_RENEW_UNSET(list->motion, list->motion_capacity, all) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->n = found->n;
+	list->sums_listed = false;
 	list->skin = found->skin;
 	list->particles = sim->particles->n;
 	list->locals_packed = false;
@@ -297,6 +298,7 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 		{ list->sums_left_capacity, sizeof *list->sums_left },
 		{ list->sum_capacity, sizeof *list->sum },
 		{ list->sum_rest_capacity, sizeof *list->sum_rest },
+		{ list->sum_place_capacity, sizeof *list->sum_place },
 		{ list->sums_capacity, sizeof *list->sums },
 		{ list->rest_first_capacity, sizeof *list->rest_first },
 		{ list->chunk_capacity, sizeof *list->chunk + sizeof *list->chunk_summed },
@@ -327,6 +329,7 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->block);
 	ts_free(list->sums_left);
 	ts_free(list->sum);
+	ts_free(list->sum_place);
 	ts_free(list->sums);
 	ts_free(list->sum_rest);
 	ts_free(list->rest_first);

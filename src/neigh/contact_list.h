@@ -65,6 +65,7 @@ struct ts_contact_span {
 enum { TS_CONTACT_CHUNK = 64 };
 struct ts_contact_chunk {
 	size_t first, end; /* range of their active pairs; 0, 0: none */
+	bool divided;	   /* their active pairs are in several shares */
 };
 
 /* Which forces and torques are stored; see force_slots.h. */
@@ -136,12 +137,14 @@ struct ts_contact_list {
 	 * the gather lists, but of touching pairs only. The first ones are in the row sum[TS_SUM_ROW i] .., which
 	 * is filled up with `zero_slot`, a slot that is always zero; the rest from sum_rest[rest_first[i]] on. */
 	uint32_t *sum, *sums, *sum_rest, *rest_first;
+	uint8_t *sum_place; /* by entry of a row: its place in the gather list of the particle */
+	bool sums_listed;   /* the lists above belong to this contact list */
 	uint32_t zero_slot;
 	bool sum_whole_rows;		/* most particles have more than half a row of touching pairs */
 	struct ts_contact_chunk *chunk; /* chunk k: particles from k TS_CONTACT_CHUNK on */
 	uint8_t *chunk_summed;		/* by chunk: summed in this force evaluation */
-	size_t chunks, sum_capacity, sums_capacity, sum_rest_capacity, rest_first_capacity, chunk_capacity,
-		chunk_summed_capacity;
+	size_t chunks, sum_capacity, sum_place_capacity, sums_capacity, sum_rest_capacity,
+		rest_first_capacity, chunk_capacity, chunk_summed_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };

@@ -17,10 +17,18 @@ static size_t particles_end(const struct ts_contact_list *list, size_t c)
 
 /* ---- which active pairs each chunk of particles has */
 
+static bool is_divided(const struct ts_contact_list *list, const struct ts_contact_chunk *c)
+{
+	for (int k = 0; k < list->shares; k++)
+		if (list->span[k].active <= c->first && c->end <= list->span[k].active_end)
+			return false;
+	return true;
+}
+
 static struct ts_contact_chunk chunk_of_particles(const struct ts_contact_list *list, size_t from, size_t to)
 {
 	const struct ts_gather *g = &list->gather;
-	struct ts_contact_chunk c = { SIZE_MAX, 0 };
+	struct ts_contact_chunk c = { .first = SIZE_MAX };
 
 	for (size_t k = g->first[from]; k < g->first[to]; k++) {
 		uint32_t at = ts_contact_slot(list, g->entry[k] >> 1);
@@ -30,7 +38,10 @@ static struct ts_contact_chunk chunk_of_particles(const struct ts_contact_list *
 		c.first = at < c.first ? at : c.first;
 		c.end = at >= c.end ? at + 1 : c.end;
 	}
-	return c.end ? c : (struct ts_contact_chunk){ 0 };
+	if (!c.end)
+		return (struct ts_contact_chunk){ 0 };
+	c.divided = is_divided(list, &c);
+	return c;
 }
 
 static void find_chunks_share(void *context, size_t from, size_t to)
@@ -213,6 +224,8 @@ static enum ts_status assign_and_clear(struct tsim *sim, struct ts_contact_list 
 		zero = room;
 	}
 	ts_parallel(list->shares, (size_t)list->shares, write_slots_share, list);
+	list->zero_slot = (uint32_t)zero;
+	ts_parallel(ts_team(sim, 4 * list->n), list->particles, ts_touching_sums_renew, list);
 	return clear_results(sim, list, zero, room);
 }
 
