@@ -103,6 +103,22 @@ function grains(   kelvin) {
 	once("velocity all set " speed(between(-1, 1)) " " speed(between(-0.5, 0.5)) " " speed(between(-1, 1)) " sum yes units box")
 }
 
+# Bonds between near grains, some of which break.
+function bonds(   modulus) {
+	if (!chance(3)) return
+	modulus = 1e9 * kilogram / metre ^ 2 / scale
+	if (chance(2)) {
+		print "bond_style parallel"
+		print "bond_coeff 1 kn " modulus " ks " 0.4 * modulus " sigma_c " 1e5 * between(0.2, 2) * kilogram / metre " tau_c " 1e5 * kilogram / metre
+	} else {
+		print "bond_style contact"
+		print "bond_coeff 1 stiffness " 2000 * scale * kilogram " ultimate " between(0.01, 0.1) * scale ^ 2 * kilogram * metre
+	}
+	once("create_bonds many all all 1 0 " len(between(1.05, 1.35)))
+	if (chance(2)) print "special_bonds lj 0 1 1"
+	bonded = " bonds brokenbonds"
+}
+
 # Walls at faces that are not periodic; one in five is open.
 function plane_walls(   names, k, a, shear) {
 	split("x y z", names, " ")
@@ -174,7 +190,7 @@ function insertion(   at) {
 function outputs(   columns) {
 	print "compute er all erotate/sphere"
 	print "compute top all reduce max z vx"
-	columns = "step atoms ke c_er c_top[1] nbuild" wall_forces
+	columns = "step atoms ke c_er c_top[1] nbuild" wall_forces bonded
 	if (chance(2)) { print "compute touch all contact/atom"; print "compute most all reduce sum c_touch"; columns = columns " c_most" }
 	if (chance(2)) { print "compute msd part msd com yes"; columns = columns " c_msd[4]" }
 	if (chance(3)) columns = columns " press pxx pyz"
@@ -213,6 +229,7 @@ BEGIN {
 	units_and_box()
 	contact_law()
 	grains()
+	bonds()
 	plane_walls()
 	mesh_wall()
 	motion_and_forces()
