@@ -1301,6 +1301,7 @@ library_sources = \
 	src/rigid/rigid_batch.h \
 	src/rigid/rigid_motion.c \
 	src/rigid/rigid_motion.h \
+	src/rigid/rigid_ranks.c \
 	src/rigid/rigid_system.c \
 	src/rough/asperity_theory.c \
 	src/rough/asperity_theory.h \

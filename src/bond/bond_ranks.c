@@ -4,6 +4,7 @@
 
 #include "base/sort.h"
 #include "bond/bonds.h"
+#include "particle/copies.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 
@@ -77,9 +78,11 @@ enum ts_status ts_bonds_connect_own(struct tsim *sim, struct ts_bonds *b)
 	return drop ? TS_OK : ts_nomem(&sim->error);
 }
 
-enum ts_status ts_bonds_claim(struct tsim *sim, const struct ts_copy_map *copies, struct ts_claims *claims)
+/* Partners that this rank has no copy of, however far away they are. */
+enum ts_status ts_bonds_claim(struct ts_instance *self, struct tsim *sim, const struct ts_copy_map *copies,
+			      struct ts_claims *claims)
 {
-	const struct ts_bonds *b = sim->bonds;
+	const struct ts_bonds *b = self->state;
 	struct ts_identities own;
 
 	claims->any |= b->ranks.divided || b->n;

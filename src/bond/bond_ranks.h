@@ -5,7 +5,6 @@
 
 #include "core/carried.h"
 #include "core/sim.h"
-#include "particle/copies.h"
 
 struct ts_bonds;
 
@@ -31,8 +30,9 @@ enum ts_status ts_bonds_note_event(struct ts_bonds *bonds, size_t b);
 
 /* Slot `join`: numbers and events become those of all ranks. */
 enum ts_status ts_bonds_join(struct ts_instance *self, struct tsim *sim);
-/* Slot of the particles: partners that this rank has no copy of, however far away they are. */
-enum ts_status ts_bonds_claim(struct tsim *sim, const struct ts_copy_map *copies, struct ts_claims *claims);
+/* Slot `claim`. */
+enum ts_status ts_bonds_claim(struct ts_instance *self, struct tsim *sim, const struct ts_copy_map *copies,
+			      struct ts_claims *claims);
 extern const struct ts_carrier ts_bonds_carrier;
 
 #endif

@@ -5,6 +5,7 @@
 #include "law/plastic_hinge.h"
 #include "math/exactsum.h"
 #include "math/quaternion.h"
+#include "particle/copies.h"
 #include "particle/orientation.h"
 
 #include "base/banned.h"

@@ -66,7 +66,6 @@ static bool are_bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 static void connect_bonds(struct tsim *sim)
 {
 	sim->neigh->callback.bonded = are_bonded;
-	sim->particles->claim = ts_bonds_claim;
 }
 
 static enum ts_status init_bonds(struct ts_instance *self, struct tsim *sim)
@@ -297,6 +296,7 @@ const struct ts_system_style ts_bonds_system = {
 		   .plan = report_memory,
 		   .join = ts_bonds_join,
 		   .carrier = &ts_bonds_carrier,
+		   .claim = ts_bonds_claim,
 		   .fini = release_bonds },
 	.slot = offsetof(struct tsim, bonds),
 	.connect = connect_bonds,

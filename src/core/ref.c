@@ -115,6 +115,8 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 	if (kind == TS_KIND_FIX && ref->inst->style->ranks & TS_RANKS_OWN &&
 	    !(ref->inst->style->ranks & TS_RANKS_OUTPUTS))
 		TS_TRY(ts_ranks_refuse(sim, name, where));
+	sim->run.shows_lists |= kind == TS_KIND_FIX && ref->inst->style->ranks & TS_RANKS_WHOLE &&
+				!(ref->inst->style->ranks & TS_RANKS_PARTICLES);
 	if (!ref->inst->style->values)
 		return ts_fail(&sim->error, TS_STATE, where, "%s %s (%s) has no output to read",
 			       ts_kind_name(kind), id, ref->inst->style->name);

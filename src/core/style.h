@@ -101,6 +101,8 @@ enum ts_rank_use {
 };
 
 struct ts_carrier;
+struct ts_copy_map;
+struct ts_claims;
 struct ts_restraint;
 typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
 
@@ -201,6 +203,9 @@ struct ts_style {
 	ts_hook_fn *join;
 	const struct ts_carrier
 		*carrier; /* state by particle that changes ranks with it; NULL: there is none */
+	/* Adds the particles of other ranks that this one needs copies of besides those near it: particle/copies.h. */
+	enum ts_status (*claim)(struct ts_instance *self, struct tsim *sim, const struct ts_copy_map *copies,
+				struct ts_claims *claims);
 	void (*fini)(struct ts_instance *self);
 };
 

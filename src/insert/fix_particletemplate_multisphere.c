@@ -131,6 +131,7 @@ TS_STYLE(fix, ts_style, ts_fix_particletemplate_multisphere)
 const struct ts_style ts_fix_particletemplate_multisphere = {
 	.name = "particletemplate/multisphere",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Template of clumps of spheres that are inserted as rigid bodies",
 	.doc = "Defines a rigid body of spheres, which may overlap; fix multisphere integrates its motion. "
 	       "Volume, centre of mass and moments of inertia of the union of the spheres are computed by "

@@ -249,6 +249,23 @@ enum ts_status ts_claims_add(struct tsim *sim, struct ts_claims *claims, int32_t
 	return ts_parcel_add(&claims->rows, row, sizeof row) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+enum ts_status ts_claims_add_body(struct tsim *sim, struct ts_claims *claims, int32_t body)
+{
+	return ts_claims_add(sim, claims, -body);
+}
+
+static enum ts_status ask_styles(struct tsim *sim, const struct ts_copy_map *map, struct ts_claims *claims)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++) {
+			struct ts_instance *inst = sim->instances[kind].item[k];
+
+			if (inst->style->claim)
+				TS_TRY(inst->style->claim(inst, sim, map, claims));
+		}
+	return TS_OK;
+}
+
 static enum ts_status find_claims(struct tsim *sim, struct ts_claims *claims)
 {
 	struct ts_copy_map map;
@@ -256,25 +273,73 @@ static enum ts_status find_claims(struct tsim *sim, struct ts_claims *claims)
 
 	if (ts_copy_map_make(sim, &map) != TS_OK)
 		return ts_nomem(&sim->error);
-	status = sim->particles->claim(sim, &map, claims);
+	status = ask_styles(sim, &map, claims);
 	ts_copy_map_release(&map);
 	return status;
+}
+
+/* The own members of bodies: numbers of bodies, ascending, and particles. */
+struct members {
+	int32_t (*entry)[2];
+	size_t n;
+};
+
+static enum ts_status list_members(const struct ts_particles *p, struct members *m)
+{
+	m->n = 0;
+	m->entry = ts_alloc(p->body ? p->n : 0, sizeof *m->entry);
+	if (!m->entry)
+		return TS_NOMEM;
+	for (size_t i = 0; p->body && i < p->n; i++) {
+		if (!p->body[i])
+			continue;
+		m->entry[m->n][0] = p->body[i];
+		m->entry[m->n++][1] = (int32_t)i;
+	}
+	ts_sort(m->entry, m->n, sizeof *m->entry, ts_compare_int32);
+	return TS_OK;
+}
+
+static void add_body(const struct members *m, int32_t body, int rank, struct sending *s)
+{
+	size_t lo = 0, hi = m->n;
+
+	while (lo < hi) {
+		size_t middle = (lo + hi) / 2;
+
+		if (m->entry[middle][0] < body)
+			lo = middle + 1;
+		else
+			hi = middle;
+	}
+	for (; lo < m->n && m->entry[lo][0] == body; lo++) {
+		s->particle = m->entry[lo][1];
+		note_copy(s, rank);
+	}
 }
 
 /* Adds the own particles that other ranks claim. */
 static enum ts_status add_claimed(struct tsim *sim, const struct ts_parcel *claims, struct sending *s)
 {
 	struct ts_identities own;
+	struct members members;
 
 	TS_TRY(ts_identities(sim, false, &own));
-	for (size_t k = 0; k < claims->n / sizeof(int32_t[2]) && s->status == TS_OK; k++) {
+	if (list_members(sim->particles, &members) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < claims->n / sizeof(int32_t[2]); k++) {
 		int32_t row[2];
 
 		memcpy(row, claims->data + k * sizeof row, sizeof row);
+		if (row[1] < 0) {
+			add_body(&members, -row[1], row[0], s);
+			continue;
+		}
 		s->particle = ts_identity_row(&own, row[1]);
 		if (s->particle >= 0)
 			note_copy(s, row[0]);
 	}
+	ts_free(members.entry);
 	return s->status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
@@ -304,7 +369,7 @@ static enum ts_status make_claimed(struct tsim *sim, struct ts_copies *c, struct
 {
 	struct ts_claims claims = { .rank = sim->world->rank };
 	struct ts_parcel all = { 0 };
-	enum ts_status status = sim->particles->claim ? find_claims(sim, &claims) : TS_OK;
+	enum ts_status status = find_claims(sim, &claims);
 	double most = (double)claims.rows.n;
 
 	if (status == TS_OK && claims.any)
@@ -406,6 +471,67 @@ void ts_copies_forward(struct tsim *sim)
 	ts_world_swap(sim->world, c->out, c->in);
 	for (int r = 0; r < sim->world->n; r++) {
 		unpack_forwarded(p, ghost, c->received[r], &c->in[r]);
+		ghost += c->received[r];
+	}
+}
+
+/* ---- forces on members of bodies */
+
+static void pack_forces(const struct ts_particles *p, const int32_t *row, size_t n, struct ts_parcel *out)
+{
+	double *to = (double *)out->data;
+
+	for (size_t k = 0; k < n; k++) {
+		if (!p->body[row[k]])
+			continue;
+		memcpy(to, p->f[row[k]], sizeof *p->f);
+		memcpy(to + 3, p->torque[row[k]], sizeof *p->torque);
+		to += 6;
+	}
+	out->n = (size_t)((unsigned char *)to - out->data);
+}
+
+static size_t count_members(const struct ts_particles *p, size_t first, size_t n)
+{
+	size_t members = 0;
+
+	for (size_t i = first; i < first + n; i++)
+		members += p->body[i] != 0;
+	return members;
+}
+
+static void unpack_forces(const struct ts_particles *p, size_t first, size_t n, const struct ts_parcel *in)
+{
+	const double *from = (const double *)in->data;
+
+	for (size_t i = first; i < first + n; i++) {
+		if (!p->body[i])
+			continue;
+		memcpy(p->f[i], from, sizeof *p->f);
+		memcpy(p->torque[i], from + 3, sizeof *p->torque);
+		from += 6;
+	}
+}
+
+void ts_copies_forward_forces(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_copies *c;
+	size_t row = 0, ghost = p->n;
+
+	if (!sim->division || !p->body)
+		return;
+	c = &sim->division->copies;
+	for (int r = 0; r < sim->world->n; r++) {
+		pack_forces(p, c->row + row, c->sent[r], &c->out[r]);
+		row += c->sent[r];
+		c->in[r].n = 6 * sizeof(double) * count_members(p, ghost, c->received[r]);
+		ghost += c->received[r];
+	}
+	ts_world_swap(sim->world, c->out, c->in);
+	ghost = p->n;
+	for (int r = 0; r < sim->world->n; r++) {
+		unpack_forces(p, ghost, c->received[r], &c->in[r]);
 		ghost += c->received[r];
 	}
 }

@@ -36,20 +36,24 @@ enum ts_status ts_copy_map_make(const struct tsim *sim, struct ts_copy_map *map)
 int32_t ts_copy_map_find(const struct ts_copy_map *map, int32_t tag);
 void ts_copy_map_release(struct ts_copy_map *map);
 
-/* Particles of other ranks, by identity, that a rank needs copies of however far away they are, such as partners of its
- * bonds. any: there may be such particles; the same on all ranks. */
+/* Particles of other ranks that a rank needs copies of however far away they are, such as partners of its bonds. any:
+ * there may be such particles; the same on all ranks. */
 struct ts_claims {
 	bool any;
-	struct ts_parcel rows; /* of this rank's number and an identity, int32_t */
+	struct ts_parcel rows; /* int32_t[2]: this rank, and an identity or minus the number of a body */
 	int rank;
 };
 enum ts_status ts_claims_add(struct tsim *sim, struct ts_claims *claims, int32_t tag);
+/* All members of a rigid body. */
+enum ts_status ts_claims_add_body(struct tsim *sim, struct ts_claims *claims, int32_t body);
 
 /* Makes the copies of all particles of other ranks that are, or have a periodic image, within `cutoff` of the block
  * of this one, and of those that are claimed. */
 enum ts_status ts_copies_make(struct tsim *sim, double cutoff);
 /* Updates the columns that change in each step. */
 void ts_copies_forward(struct tsim *sim);
+/* Updates force and torque of copies that are members of rigid bodies. */
+void ts_copies_forward_forces(struct tsim *sim);
 /* Bytes that this sends of each copy. */
 size_t ts_copies_step_bytes(const struct ts_particles *p);
 

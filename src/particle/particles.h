@@ -79,9 +79,6 @@ struct ts_missed_wall {
 	double flown, met; /* time of the whole way; until it touched the wall */
 };
 
-struct ts_copy_map;
-struct ts_claims;
-
 struct ts_particles {
 	size_t n, nghost, capacity; /* capacity: allocated rows, for local particles and ghosts together */
 
@@ -136,10 +133,6 @@ struct ts_particles {
 	size_t row_of_tag_capacity, sorted_tags_capacity;
 
 	/* Functions of folders above this one, set when their systems are initialised. */
-
-	/* Adds the particles of other ranks that this one needs copies of besides those near it (particle/copies.h);
-	 * set by the bonds. */
-	enum ts_status (*claim)(struct tsim *sim, const struct ts_copy_map *copies, struct ts_claims *claims);
 
 	/* Describes the contacts of particle i in a message; set by the neighbour search. */
 	void (*describe_contacts)(struct tsim *sim, size_t i, struct ts_str *out);

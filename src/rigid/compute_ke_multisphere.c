@@ -55,6 +55,7 @@ TS_STYLE(compute, ts_style, ts_compute_ke_multisphere)
 const struct ts_style ts_compute_ke_multisphere = {
 	.name = "ke/multisphere",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Translational kinetic energy of rigid bodies",
 	.doc = "Sum of M V^2 / 2 over all rigid bodies, exact and rounded once. The group has no effect.",
 	.example = "compute energy all ke/multisphere",
@@ -65,6 +66,7 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 const struct ts_style ts_compute_erotate_multisphere = {
 	.name = "erotate/multisphere",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Rotational kinetic energy of rigid bodies",
 	.doc = "Sum of L . omega / 2 over all rigid bodies, exact and rounded once. The group has no effect.",
 	.example = "compute rotation all erotate/multisphere",

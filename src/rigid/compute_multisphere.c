@@ -103,6 +103,7 @@ TS_STYLE(compute, ts_style, ts_compute_multisphere)
 const struct ts_style ts_compute_multisphere = {
 	.name = "multisphere",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "A property of all rigid bodies",
 	.doc = "A property of all rigid bodies, one row per body in the order of their ids, for dump local. "
 	       "The group has no effect.",
@@ -153,6 +154,7 @@ TS_STYLE(compute, ts_style, ts_compute_multisphere_single)
 const struct ts_style ts_compute_multisphere_single = {
 	.name = "multisphere/single",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "A property of one rigid body",
 	.doc = "A property of one rigid body: c_ID, or c_ID[1], c_ID[2] ... if it has several components. It "
 	       "is 0 while there is no body with this id. (LIGGGHTS 3.8 always gives the first body.) The "

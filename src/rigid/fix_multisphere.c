@@ -35,6 +35,7 @@ TS_STYLE(fix, ts_style, ts_fix_multisphere)
 const struct ts_style ts_fix_multisphere = {
 	.name = "multisphere",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Integrates clumps of spheres as rigid bodies",
 	.doc = "Integrates clumps inserted from fix particletemplate/multisphere as rigid bodies, by "
 	       "velocity Verlet:\n\n"

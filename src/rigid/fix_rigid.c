@@ -298,6 +298,7 @@ TS_STYLE(fix, ts_style, ts_fix_rigid)
 const struct ts_style ts_fix_rigid = {
 	.name = "rigid",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Integrates particles as one rigid body, or one body per group or molecule",
 	.doc = "Creates rigid bodies when the fix is defined, from the present positions, masses, radii and "
 	       "velocities of the particles. The inertia is that of spheres, which may overlap:\n\n"

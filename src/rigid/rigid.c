@@ -6,6 +6,7 @@
 #include "core/report.h"
 #include "math/rigid_turn.h"
 #include "particle/columns.h"
+#include "particle/copies.h"
 #include "particle/group_moments.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid_motion.h"
@@ -20,8 +21,10 @@ int64_t ts_rigid_owner(const char *fix)
 	return (int64_t)(ts_hash_value(&hash) >> 1);
 }
 
-static enum ts_status reserve_bodies(struct tsim *sim, struct ts_rigid *r, size_t n)
+enum ts_status ts_rigid_reserve(struct tsim *sim, size_t n)
 {
+	struct ts_rigid *r = sim->rigid;
+
 	if (TS_GROW(r->body, r->body_capacity, n) != TS_OK || TS_GROW(r->id, r->id_capacity, n) != TS_OK ||
 	    TS_GROW(r->size, r->size_capacity, n) != TS_OK ||
 	    TS_GROW(r->owner, r->owner_capacity, n) != TS_OK)
@@ -54,7 +57,7 @@ enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_
 	struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_particles_need(sim, TS_NEED(BODY) | TS_NEED(BODY_X) | TS_NEED(OMEGA) | TS_NEED(TORQUE)));
-	TS_TRY(reserve_bodies(sim, r, r->n + 1));
+	TS_TRY(ts_rigid_reserve(sim, r->n + 1));
 	r->body[r->n] = *body;
 	r->id[r->n] = ++r->last_id;
 	r->size[r->n] = (int32_t)n;
@@ -66,8 +69,15 @@ enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_
 	return TS_OK;
 }
 
-/* Removes the flagged bodies; their members become independent particles. */
-static void drop_bodies(struct tsim *sim, const unsigned char *gone)
+static void move_body(struct ts_rigid *r, size_t from, size_t to)
+{
+	r->body[to] = r->body[from];
+	r->id[to] = r->id[from];
+	r->size[to] = r->size[from];
+	r->owner[to] = r->owner[from];
+}
+
+void ts_rigid_drop(struct tsim *sim, const unsigned char *gone)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_rigid *r = sim->rigid;
@@ -82,11 +92,7 @@ static void drop_bodies(struct tsim *sim, const unsigned char *gone)
 		}
 		if (gone[b])
 			continue;
-		r->body[kept] = r->body[b];
-		r->id[kept] = r->id[b];
-		r->size[kept] = r->size[b];
-		r->owner[kept] = r->owner[b];
-		kept++;
+		move_body(r, b, kept++);
 	}
 	r->n = kept;
 	r->generation = 0;
@@ -105,13 +111,12 @@ enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner)
 		return ts_nomem(&sim->error);
 	for (size_t b = 0; b < r->n; b++)
 		gone[b] = r->owner[b] == owner;
-	drop_bodies(sim, gone);
+	ts_rigid_drop(sim, gone);
 	ts_free(gone);
 	return TS_OK;
 }
 
-/* Index of the body with this id, or r->n. */
-static size_t find_body(const struct ts_rigid *r, int32_t id)
+size_t ts_rigid_find(const struct ts_rigid *r, int32_t id)
 {
 	size_t lo = 0, hi = r->n;
 
@@ -133,7 +138,7 @@ const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i)
 
 	if (!ts_rigid_member(sim->particles, i))
 		return NULL;
-	b = find_body(r, sim->particles->body[i]);
+	b = ts_rigid_find(r, sim->particles->body[i]);
 	return b < r->n ? &r->body[b] : NULL;
 }
 
@@ -158,36 +163,80 @@ static void sort_members(const struct ts_particles *p, int32_t *member, size_t n
 	}
 }
 
+/* Particles whose bodies are listed: the own ones, and copies of those of other ranks. */
+static size_t listed_particles(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return p->n + (p->nghost ? ts_copies(sim) : 0);
+}
+
+/* The index of the body of particle i, or r->n. */
+static size_t body_index(const struct ts_particles *p, const struct ts_rigid *r, size_t i)
+{
+	return p->body[i] ? ts_rigid_find(r, p->body[i]) : r->n;
+}
+
 /* Counts the members of each body, in start[b + 2], and lists bodies in the order of their first members. */
-static void count_members(const struct ts_particles *p, struct ts_rigid *r)
+static void count_members(const struct ts_particles *p, size_t n, struct ts_rigid *r)
 {
 	r->ordered = 0;
 	memset(r->start, 0, (r->n + 2) * sizeof *r->start);
-	for (size_t i = 0; i < p->n; i++) {
-		size_t b = p->body[i] ? find_body(r, p->body[i]) : r->n;
+	for (size_t i = 0; i < n; i++) {
+		size_t b = body_index(p, r, i);
 
 		if (b < r->n && !r->start[b + 2]++)
 			r->order[r->ordered++] = (int32_t)b;
 	}
 }
 
+/* Bodies of other ranks alone, which all had while they looked at all particles, or before members moved, are left out. */
+static enum ts_status keep_own_bodies(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_rigid *r = sim->rigid;
+	unsigned char *own = ts_alloc(r->n, 1);
+	size_t kept = 0;
+
+	if (!own)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < p->n; i++) {
+		size_t b = body_index(p, r, i);
+
+		if (b < r->n)
+			own[b] = 1;
+	}
+	for (size_t b = 0; b < r->n; b++)
+		if (own[b])
+			move_body(r, b, kept++);
+	r->n = kept;
+	ts_free(own);
+	return TS_OK;
+}
+
 enum ts_status ts_rigid_list(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_rigid *r = sim->rigid;
+	size_t n = listed_particles(sim);
 
 	if (!r->n || r->generation == sim->generation)
 		return TS_OK;
+	if (sim->division)
+		TS_TRY(keep_own_bodies(sim));
 	if (TS_GROW(r->start, r->start_capacity, r->n + 2) != TS_OK ||
 	    TS_GROW(r->order, r->order_capacity, r->n) != TS_OK ||
-	    TS_GROW(r->member, r->member_capacity, p->n) != TS_OK)
+	    TS_GROW(r->member, r->member_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
-	count_members(p, r);
+	count_members(p, n, r);
 	for (size_t b = 2; b <= r->n; b++)
 		r->start[b] += r->start[b - 1];
-	for (size_t i = 0; i < p->n; i++)
-		if (p->body[i])
-			r->member[r->start[find_body(r, p->body[i]) + 1]++] = (int32_t)i;
+	for (size_t i = 0; i < n; i++) {
+		size_t b = body_index(p, r, i);
+
+		if (b < r->n)
+			r->member[r->start[b + 1]++] = (int32_t)i;
+	}
 	for (size_t b = 0; b < r->n; b++)
 		sort_members(p, r->member + r->start[b], r->start[b + 1] - r->start[b]);
 	r->generation = sim->generation;
@@ -232,7 +281,7 @@ enum ts_status ts_rigid_drop_incomplete(struct tsim *sim)
 			gone[r->member[k]] = 1;
 	}
 	if (any) {
-		drop_bodies(sim, torn);
+		ts_rigid_drop(sim, torn);
 		status = ts_particles_delete(sim, gone);
 	}
 	ts_free(gone);

@@ -50,6 +50,7 @@ struct ts_rigid {
 	int32_t *order;
 	size_t ordered, order_capacity;
 	uint64_t generation; /* of the particles when members were listed; 0: not listed */
+	int64_t lost;	     /* particles that had been lost when bodies were checked */
 	/* Fails if a fix also integrates one of the members row[0..n-1]; set by the integrators. */
 	enum ts_status (*check_members)(struct tsim *sim, const int32_t *row, size_t n);
 };
@@ -76,6 +77,23 @@ enum ts_status ts_rigid_drop_incomplete(struct tsim *sim);
 
 /* Lists the members again if the order of particles in memory has changed. */
 enum ts_status ts_rigid_list(struct tsim *sim);
+
+/* With several ranks each has the bodies with a member among its particles, and copies of the other members; it integrates
+ * them with the forces on all members, from the same bits as the other ranks that have them. */
+
+/* Hook of EXCHANGE while the particles are divided. */
+enum ts_status ts_rigid_exchange_own(struct tsim *sim);
+/* Slot `join`: all ranks get all bodies. */
+enum ts_status ts_rigid_join(struct ts_instance *self, struct tsim *sim);
+/* Slot `claim`. */
+enum ts_status ts_rigid_claim(struct ts_instance *self, struct tsim *sim, const struct ts_copy_map *copies,
+			      struct ts_claims *claims);
+extern const struct ts_carrier ts_rigid_carrier;
+enum ts_status ts_rigid_reserve(struct tsim *sim, size_t n);
+/* Removes the flagged bodies; their members become independent particles. The members must be listed. */
+void ts_rigid_drop(struct tsim *sim, const unsigned char *gone);
+/* Index of the body with this id, or r->n. */
+size_t ts_rigid_find(const struct ts_rigid *r, int32_t id);
 
 /* Whether particle i is in a body; and whether a and b are in the same one. */
 static inline bool ts_rigid_member(const struct ts_particles *p, size_t i)

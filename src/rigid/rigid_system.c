@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "core/report.h"
+#include "particle/copies.h"
 #include "rigid/rigid_batch.h"
 
 #include "base/banned.h"
@@ -62,10 +63,19 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 {
 	const struct ts_rigid *r = self->state;
 
-	if (!r->n)
+	if (!r->n && !sim->division)
 		return TS_OK;
 	ts_deferred_loops_run(sim);
+	ts_copies_forward_forces(sim);
 	return for_each_body(sim, end_step);
+}
+
+/* Ghosts have changed, which are members of bodies if they are copies of particles of other ranks. */
+static enum ts_status build(struct ts_instance *self, struct tsim *sim)
+{
+	if (sim->division)
+		((struct ts_rigid *)self->state)->generation = 0;
+	return TS_OK;
 }
 
 /* Forces at the start of a run; a run that resumes has them from the last step. */
@@ -83,6 +93,9 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_rigid *r = self->state;
 
+	if (sim->division)
+		return ts_rigid_exchange_own(sim);
+	r->lost = sim->particles->lost;
 	if (!r->n)
 		return TS_OK;
 	TS_TRY(ts_rigid_dissolve_orphans(sim));
@@ -173,11 +186,6 @@ static void connect_rigid_bodies(struct tsim *sim)
 	sim->particles->material_density = ts_rigid_material_density;
 }
 
-static const char *undivided(const struct tsim *sim)
-{
-	return sim->rigid->n ? "a scene with rigid bodies" : NULL;
-}
-
 const struct ts_system_style ts_rigid_system = {
 	.style = { .name = "rigid",
 		   .kind = TS_KIND_SYSTEM,
@@ -187,13 +195,16 @@ const struct ts_system_style ts_rigid_system = {
 		   .fingerprint = fingerprint,
 		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 			     [TS_STAGE_EXCHANGE] = exchange,
+			     [TS_STAGE_BUILD] = build,
 			     [TS_STAGE_PRE_FORCE] = pre_force,
 			     [TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 			     [TS_STAGE_SETUP] = setup },
 		   .defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),
 		   .plan = plan,
+		   .join = ts_rigid_join,
+		   .carrier = &ts_rigid_carrier,
+		   .claim = ts_rigid_claim,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, rigid),
 	.connect = connect_rigid_bodies,
-	.undivided = undivided,
 };

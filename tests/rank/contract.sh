@@ -12,7 +12,8 @@ numbers=${TS_RANKS-}
 # What all ranks refuse is left out.
 cp "$scenes"/in.* .
 sed '/energy\/ledger/d' "$decks/in.insertion" >in.insertion
-cp "$decks/in.pour" .
+sed '/energy\/ledger/d' "$decks/in.rigid" >in.rigid
+cp "$decks/in.pour" "$decks/in.clumps" .
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
 
 # bonds NAME STYLE COEFFICIENTS: in.NAME, the fabric of in.beams with other bonds
@@ -84,7 +85,7 @@ files_of() {
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
-for scene in averages drum forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit; do
+for scene in averages drum forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps; do
 	files_of alone "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \

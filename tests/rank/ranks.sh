@@ -87,6 +87,8 @@ grep -Ev '^dump (bl|bs|bb|pg)|^compute (bl|bp|pgl)' "$scenes/in.rock" >in.block
 resumed in.block 300 300 "$lines|bond_|special_bonds"
 resumed "$scenes/in.springs" 301 299 "$lines|bond_"
 resumed "$scenes/in.bit" 601 599 "$lines|bond_"
+resumed "$scenes/in.bodies" 420 380 "$lines"
+resumed "$top_srcdir/tests/decks/in.clumps" 250 350 "$lines|region[[:space:]]+top"
 resumed in.insertion 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 
 # The blocks of `processors`.
@@ -114,7 +116,7 @@ refused() {
 }
 integrate='fix 1 all nve'
 refused 'a fix' 5:11 'fix recenter does not work with several ranks' 'fix f all recenter INIT INIT INIT' "$integrate"
-refused 'a compute' 5:15 'compute cluster/atom does not work' 'compute m all cluster/atom 1' "$integrate"
+refused 'a compute' 5:15 'compute granular/couette does not work' 'compute m all granular/couette gap 5 solid_fraction 0.4 speed 2 diameter 1 density 2 restitution 0.85 wall_restitution 0.65 roughness 0.65' "$integrate"
 refused 'a value that changes' 6:19 "'v_g' is a value that changes" 'variable g equal 1+step' \
 	'fix g all gravity v_g vector 0 0 -1' "$integrate"
 refused 'an output of each contact of a wall' 8:63 'an output of each contact with a wall' 'change_box all boundary f f f' \
