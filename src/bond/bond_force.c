@@ -55,6 +55,28 @@ static double spring_energy(const struct tsim *sim, size_t b)
 	return energy[TS_BOND_NORMAL];
 }
 
+/* The force along a bond that does not break by it, without damping: tensions are not stored in each step. */
+static double force_now(const struct tsim *sim, size_t b)
+{
+	const struct ts_instance *self = ts_sim_only(sim, TS_KIND_BOND);
+	const struct ts_bond_style *style = ts_bond_style_of(self);
+	const struct ts_bonds *bonds = sim->bonds;
+	struct ts_bond_element element;
+	struct ts_bond_answer state;
+	double d[3], extension;
+
+	if (style->element) {
+		ts_bond_state_of(sim, b, &element, &state);
+		return state.axial;
+	}
+	if (!style->spring)
+		return bonds->tension[b];
+	extension = ts_bond_separation(sim, (size_t)bonds->row[b][0], (size_t)bonds->row[b][1], d) -
+		    bonds->rest[b];
+	return style->spring(ts_coeff(&((const struct ts_bond *)self->state)->coeffs, (size_t)bonds->type[b]),
+			     extension, bonds->rest[b]);
+}
+
 static enum ts_status record_breakage(struct tsim *sim, size_t b)
 {
 	struct ts_bonds *bonds = sim->bonds;
@@ -70,7 +92,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	memset(e, 0, sizeof *e); /* events are archived as bytes, padding included */
 	e->step = sim->clock.step;
 	e->time = ts_sim_time(sim);
-	e->force = bonds->tension[b];
+	e->force = bonds->breaks[b] > 1 ? force_now(sim, b) : bonds->tension[b];
 	e->type = bonds->type[b];
 	ts_bond_separation(sim, i, j, d);
 	for (int k = 0; k < 3; k++)

@@ -5,6 +5,7 @@
 #include "bond/bond_moment.h"
 #include "contact/contact_energy.h"
 #include "law/bond_section.h"
+#include "particle/copies.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -123,7 +124,10 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	const struct gran_bond *s = self->state;
 
 	TS_TRY(ts_bond_turn(self, sim));
-	return any_by_temperature(&s->bond) ? break_hot_bonds(&s->bond, sim) : TS_OK;
+	if (!any_by_temperature(&s->bond))
+		return TS_OK;
+	ts_copies_forward(sim); /* temperatures of partners on other ranks */
+	return break_hot_bonds(&s->bond, sim);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)

@@ -49,6 +49,7 @@ TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 const struct ts_style ts_fix_heat_gran = {
 	.name = "heat/gran",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "conduction of heat between touching particles",
 	.doc = doc,
 	.example = "fix k all property/global thermalConductivity peratomtype 43.0\n"

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "heat/heat_block.h"
 #include "neigh/neigh.h"
+#include "particle/division.h"
 
 #include "base/banned.h"
 
@@ -20,7 +21,8 @@ static enum ts_status list_frozen_pairs(struct ts_heat *h, struct tsim *sim)
 		held += p->imass[i] == 0;
 	h->held.both_frozen = true;
 	h->held.n = 0;
-	return held < 2
+	/* the other one may be of another rank */
+	return held < (sim->division ? 1 : 2)
 		       ? TS_OK
 		       : ts_contact_list_build(sim, &h->held, sim->neigh->built_skin, ts_neigh_excluded(sim));
 }
@@ -39,7 +41,10 @@ enum ts_status ts_heat_update_contacts(struct ts_instance *self, struct tsim *si
 		if (TS_GROW(pairs->conductance, pairs->capacity, pairs->rows->n) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
-	h->examine = true;
+	if (!sim->particles->division || !sim->particles->division->rebuilding)
+		h->examine = true;
+	else if (!sim->division) /* all ranks have got all particles: outputs may read conductances */
+		ts_heat_find_conductances(self, sim);
 	return TS_OK;
 }
 

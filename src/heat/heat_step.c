@@ -19,6 +19,7 @@
 
 #include "base/parallel.h"
 #include "core/deferred_loops.h"
+#include "core/ranks.h"
 #include "core/report.h"
 #include "particle/exchange.h"
 
@@ -46,6 +47,12 @@ static double stability_limit(const struct ts_instance *self, const struct tsim 
 			smallest = fmin(smallest, heat_capacity(h, p, i) / sum);
 	}
 	return smallest;
+}
+
+/* Of the particles of all ranks. */
+static double stability_limit_of_all(const struct ts_instance *self, const struct tsim *sim)
+{
+	return -ts_ranks_most(sim, -stability_limit(self, sim));
 }
 
 enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -140,9 +147,9 @@ static void check_time_step(struct ts_instance *self, struct tsim *sim)
 	if (h->warned)
 		return;
 	ts_heat_find_conductances(self, sim);
-	limit = stability_limit(self, sim);
+	limit = stability_limit_of_all(self, sim);
 	h->warned = !(sim->clock.dt < limit);
-	if (h->warned)
+	if (h->warned && ts_ranks_first(sim))
 		ts_warn(&sim->log, &self->where,
 			"fix %s: at step %" PRId64 " the time step %g is larger than %g, the limit of "
 			"explicit heat conduction (m c / sum h)",
@@ -243,7 +250,7 @@ static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)
 	struct ts_heat *h = self->state;
 	struct task task = { self, h, sim->particles, sim->clock.dt };
 	/* ||A|| <= 2 / limit */
-	double parts = ceil(2 * sim->clock.dt / stability_limit(self, sim)), s;
+	double parts = ceil(2 * sim->clock.dt / stability_limit_of_all(self, sim)), s;
 	size_t n = sim->particles->n;
 
 	if (!(parts <= 1e6))

@@ -5,9 +5,12 @@
 #include "base/inline.h"
 #include "math/constants.h"
 
-/* -pi/4 (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2, r the distance of the centres. */
-TS_INLINE double ts_lens_of_spheres(double r, double ri, double rj)
+/* -pi/4 (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2, r the distance of the centres; the larger radius is Ri, so that the
+ * bits do not depend on which sphere comes first. */
+TS_INLINE double ts_lens_of_spheres(double r, double one, double other)
 {
+	double ri = one > other ? one : other, rj = one > other ? other : one;
+
 	return -TS_PI / 4 * (r - ri - rj) * (r + ri - rj) * (r - ri + rj) * (r + ri + rj) / (r * r);
 }
 

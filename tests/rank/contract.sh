@@ -14,6 +14,9 @@ cp "$scenes"/in.* .
 sed '/energy\/ledger/d' "$decks/in.insertion" >in.insertion
 sed '/energy\/ledger/d' "$decks/in.rigid" >in.rigid
 cp "$decks/in.pour" "$decks/in.clumps" .
+sed '/energy\/ledger/d' "$decks/in.heat" >in.heat
+sed 's/heat\/gran\/conduction/heat\/gran/; s/initial_temperature 293.15/& scheme exact/' in.heat >in.heat_exact
+sed 's/tangential history/& cohesion sjkr/; s/^pair_style/fix m5 all property\/global cohesionEnergyDensity peratomtypepair 2 3e4 2e4 2e4 1e4\n&/' in.bed >in.sticky
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
 
 # bonds NAME STYLE COEFFICIENTS: in.NAME, the fabric of in.beams with other bonds
@@ -85,7 +88,7 @@ files_of() {
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
-for scene in averages drum forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps; do
+for scene in averages drum forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
 	files_of alone "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
