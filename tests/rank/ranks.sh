@@ -88,7 +88,6 @@ resumed in.block 300 300 "$lines|bond_|special_bonds"
 resumed "$scenes/in.springs" 301 299 "$lines|bond_"
 resumed "$scenes/in.bit" 601 599 "$lines|bond_"
 resumed "$scenes/in.bodies" 420 380 "$lines"
-resumed "$scenes/in.warm" 201 199 "$lines|bond_|special_bonds"
 resumed "$top_srcdir/tests/decks/in.clumps" 250 350 "$lines|region[[:space:]]+top"
 resumed in.insertion 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 
