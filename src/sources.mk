@@ -1073,6 +1073,8 @@ library_sources = \
 	src/particle/assign.h \
 	src/particle/assign_words.c \
 	src/particle/assign_words.h \
+	src/particle/carrier_rows.c \
+	src/particle/carrier_rows.h \
 	src/particle/columns.c \
 	src/particle/columns.h \
 	src/particle/command_atom_modify.c \
@@ -1131,6 +1133,8 @@ library_sources = \
 	src/particle/sphere_shape.h \
 	src/particle/style_column.c \
 	src/particle/style_column.h \
+	src/particle/turning.c \
+	src/particle/turning.h \
 	src/particle/type_factors.c \
 	src/particle/type_factors.h \
 	src/particle/user_columns.c \

@@ -46,7 +46,7 @@ const struct ts_style ts_compute_angmom_chunk = {
 	.name = "angmom/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Angular momentum of each chunk",
 	.doc = "Calculates the angular momentum of the particles of the group in each chunk of compute "
 	       "chunk/atom,\n\n"

@@ -77,7 +77,7 @@ TS_STYLE(compute, ts_style, ts_compute_chunk_atom)
 const struct ts_style ts_compute_chunk_atom = {
 	.name = "chunk/atom",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Assigns particles to chunks",
 	.doc = "Assigns each particle of the group to a chunk and gives it the number of that chunk, from 1, "
 	       "or 0 if it is in none. fix ave/chunk and the computes with /chunk in their names sum over "

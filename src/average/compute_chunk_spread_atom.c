@@ -84,7 +84,7 @@ const struct ts_style ts_compute_chunk_spread_atom = {
 	.name = "chunk/spread/atom",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Spreads values of chunks to their particles",
 	.doc = "Gives each particle of the group the values of the chunk to which compute chunk/atom assigns "
 	       "it; particles in no chunk have 0. Thus the size of a cluster, or the mean velocity of a "

@@ -39,7 +39,7 @@ const struct ts_style ts_compute_com_chunk = {
 	.name = "com/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Center of mass of each chunk",
 	.doc = "Calculates the centre of mass of the particles of the group in each chunk of compute "
 	       "chunk/atom, from positions without periodic wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] are "

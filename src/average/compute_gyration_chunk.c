@@ -68,7 +68,7 @@ const struct ts_style ts_compute_gyration_chunk = {
 	.name = "gyration/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Radius of gyration of each chunk",
 	.doc = "As compute gyration, for the particles of the group in each chunk of compute chunk/atom: "
 	       "c_ID[i] is the radius of gyration of chunk i; with `tensor` c_ID[i][1] ... c_ID[i][6] are "

@@ -50,7 +50,7 @@ const struct ts_style ts_compute_inertia_chunk = {
 	.name = "inertia/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Tensor of inertia of each chunk",
 	.doc = "Calculates the inertia tensor of the particles of the group in each chunk of compute "
 	       "chunk/atom,\n\n"

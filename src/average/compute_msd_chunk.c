@@ -89,7 +89,7 @@ const struct ts_style ts_compute_msd_chunk = {
 	.name = "msd/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Squared displacement of each chunk",
 	.doc = "Calculates the squared displacement of the centre of mass of each chunk of compute "
 	       "chunk/atom since this compute was defined: c_ID[i][1], c_ID[i][2], c_ID[i][3] along x, y, z, "

@@ -88,7 +88,7 @@ const struct ts_style ts_compute_property_chunk = {
 	.name = "property/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Particle count, original number and coordinates of chunks",
 	.doc = "Lists properties of each chunk of compute chunk/atom: count, the number of its particles "
 	       "that are in the group; id, its number before `compress`; coord1, coord2, coord3, the "

@@ -117,7 +117,7 @@ const struct ts_style ts_compute_reduce_chunk = {
 	.name = "reduce/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Sum, minimum, maximum, mean or deviation of per-particle values over each chunk",
 	.doc = "As compute reduce, over the particles of the group in each chunk of compute chunk/atom: "
 	       "their sum, minimum (min), maximum (max), mean (ave), standard deviation (std) and so on. "

@@ -178,7 +178,7 @@ const struct ts_style ts_compute_temp_chunk = {
 	.name = "temp/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Temperature of chunks",
 	.doc = "Calculates for each chunk of compute chunk/atom a column for each of the values: temp, the "
 	       "temperature\n\n"

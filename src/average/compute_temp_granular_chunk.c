@@ -104,7 +104,7 @@ const struct ts_style ts_compute_temp_granular_chunk = {
 	.name = "temp/granular/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Granular temperature of chunks",
 	.doc = "The granular temperature of the particles of the group in each chunk of compute chunk/atom, "
 	       "as by compute temp/granular with the mean velocity of each chunk: c_ID[i][1] is T, "

@@ -53,7 +53,7 @@ const struct ts_style ts_compute_vcm_chunk = {
 	.name = "vcm/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.family = TS_FAMILY_CHUNK_USER,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Velocity of the center of mass of each chunk",
 	.doc = "Calculates the velocity of the centre of mass, sum m v / sum m, of the particles of the "
 	       "group in each chunk of compute chunk/atom. c_ID[i][1], c_ID[i][2], c_ID[i][3] are the "

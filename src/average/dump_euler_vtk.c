@@ -94,7 +94,7 @@ TS_STYLE(dump, ts_style, ts_dump_euler_vtk)
 const struct ts_style ts_dump_euler_vtk = {
 	.name = "euler/vtk",
 	.kind = TS_KIND_DUMP,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
 	.summary = "The cells of fix ave/euler as points for ParaView",
 	.doc = "Writes a point at the centre of each cell of fix ave/euler with the values of its last "

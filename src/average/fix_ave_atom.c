@@ -127,7 +127,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_atom)
 const struct ts_style ts_fix_ave_atom = {
 	.name = "ave/atom",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Time averages of per-particle values",
 	.doc = "Calculates every Nfreq steps, for each particle of the group, the mean of Nrepeat samples taken Nevery steps apart, the last at that step. f_ID[k] is the average of value k, f_ID that of a single value; 0 before the first average. For a particle that is inserted in the middle of an average, the missed samples count as 0. Averages in progress are saved in restart files.",

@@ -59,7 +59,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
 const struct ts_style ts_fix_ave_chunk = {
 	.name = "ave/chunk",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Averages over chunks of particles and over time",
 	.doc = "Calculates every Nfreq steps, from Nrepeat samples taken Nevery steps apart, the last at that step, for each chunk of compute chunk/atom the mean of each value over the particles of the group in it. density/number and density/mass are number and mass of the particles divided by the volume of the bin (of the box, for chunks that are not bins); temp is the temperature\n\n"

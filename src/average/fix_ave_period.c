@@ -254,7 +254,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_period)
 const struct ts_style ts_fix_ave_period = {
 	.name = "ave/period",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Frequency of a signal, and averages of values over its completed periods",
 	.doc = "Determines the frequency of the first value, the signal, and averages all values over whole "

@@ -99,7 +99,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
 const struct ts_style ts_fix_ave_spatial = {
 	.name = "ave/spatial",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_average_waits,
 	.summary = "Averages over spatial bins and over time",
 	.doc = "As fix ave/chunk with the bins of compute chunk/atom bin/1d, bin/2d or bin/3d, in the syntax of LIGGGHTS and older versions of LAMMPS. Particles outside the bins count in the nearest bin, but outside a `bound` in none. The file has a block for each average: a line with step and number of bins, then for each bin its number, coordinates, mean count, and values; f_ID[i][j] are the columns from the coordinates on.",

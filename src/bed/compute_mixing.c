@@ -199,7 +199,7 @@ TS_STYLE(compute, ts_style, ts_compute_mixing)
 const struct ts_style ts_compute_mixing = {
 	.name = "mixing",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "How well a component is mixed, from its concentration in samples",
 	.doc = "The particles of the group are a mixture of a component and the rest. Samples are chunks or "
 	       "cubic cells; c_k is the concentration of the component in sample k, by number, mass or "

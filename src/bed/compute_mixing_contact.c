@@ -127,7 +127,7 @@ TS_STYLE(compute, ts_style, ts_compute_mixing_contact)
 const struct ts_style ts_compute_mixing_contact = {
 	.name = "mixing/contact",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "How well a component is mixed, from the share of unlike contacts",
 	.doc = "An index of mixing that needs no samples: the share X of the contacts that are between a "
 	       "particle of the component and one of the rest, divided by its mean X_r over all random "

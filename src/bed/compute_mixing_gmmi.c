@@ -128,7 +128,7 @@ TS_STYLE(compute, ts_style, ts_compute_mixing_gmmi)
 const struct ts_style ts_compute_mixing_gmmi = {
 	.name = "mixing/gmmi",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary =
 		"How well a component is mixed, from the place of its centre (generalized mean mixing index)",
 	.doc = "The generalized mean mixing index of the component along each axis is the mean coordinate of "

@@ -158,7 +158,7 @@ TS_STYLE(compute, ts_style, ts_compute_mixing_neighbor)
 const struct ts_style ts_compute_mixing_neighbor = {
 	.name = "mixing/neighbor",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "How well a component is mixed, from the nearest neighbors of each particle",
 	.doc = "The nearest neighbors method: of each particle of the group the k nearest others are found, "
 	       "and the share X of those that belong to the other component, the mean over all particles, is "

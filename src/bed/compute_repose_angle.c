@@ -324,7 +324,7 @@ TS_STYLE(compute, ts_style, ts_compute_repose_angle)
 const struct ts_style ts_compute_repose_angle = {
 	.name = "repose/angle",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Angle of repose: slope of the surface of a heap or of a bed",
 	.doc = "The surface is made of the uppermost points of the highest particle in each square column "
 	       "along `up` (strips in two dimensions; columns begin at the origin). To it is fitted\n\n"

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/ranks.h"
 #include "insert/template.h"
 #include "material/property.h"
 #include "particle/prescribed.h"
@@ -11,9 +12,18 @@
 
 #include "base/banned.h"
 
+/* Of equal ones the smaller: so their order does not matter. */
+static bool comes_before(const struct ts_lightest *l, int k, double inverse_mass, double radius)
+{
+	return inverse_mass > l->inverse_mass[k] ||
+	       (inverse_mass == l->inverse_mass[k] && radius < l->radius[k]);
+}
+
 static void insert_lightest(struct ts_lightest *l, double inverse_mass, double radius)
 {
-	int k = inverse_mass > l->inverse_mass[0] ? 0 : inverse_mass > l->inverse_mass[1] ? 1 : 2;
+	int k = comes_before(l, 0, inverse_mass, radius)   ? 0
+		: comes_before(l, 1, inverse_mass, radius) ? 1
+							   : 2;
 
 	if (k == 2)
 		return;
@@ -23,6 +33,60 @@ static void insert_lightest(struct ts_lightest *l, double inverse_mass, double r
 	}
 	l->inverse_mass[k] = inverse_mass;
 	l->radius[k] = radius;
+}
+
+/* By type, while the particles are divided among ranks: of the first particles of the lists of all ranks the one that comes
+ * first, which leaves the list of one rank that has it. */
+struct first_of_ranks {
+	double *inverse_mass, *radius, *rank;
+};
+
+static void take_first(const struct tsim *sim, struct ts_lightest *list, const struct first_of_ranks *f)
+{
+	size_t n = (size_t)sim->particles->ntypes + 1;
+	const double own = sim->world->rank;
+
+	for (size_t t = 0; t < n; t++)
+		f->inverse_mass[t] = list[t].inverse_mass[0];
+	ts_ranks_most_of(sim, f->inverse_mass, n);
+	for (size_t t = 0; t < n; t++)
+		f->radius[t] = list[t].inverse_mass[0] == f->inverse_mass[t] ? -list[t].radius[0] : -INFINITY;
+	ts_ranks_most_of(sim, f->radius, n);
+	for (size_t t = 0; t < n; t++) {
+		bool has =
+			list[t].inverse_mass[0] == f->inverse_mass[t] && -list[t].radius[0] == f->radius[t];
+
+		f->rank[t] = has ? own : -1;
+	}
+	ts_ranks_most_of(sim, f->rank, n);
+	for (size_t t = 0; t < n; t++)
+		if (f->rank[t] == own) {
+			list[t].inverse_mass[0] = list[t].inverse_mass[1];
+			list[t].radius[0] = list[t].radius[1];
+			list[t].inverse_mass[1] = -1;
+		}
+}
+
+/* Returns the list with the particles of all ranks, or NULL without memory. */
+static struct ts_lightest *merge_ranks(const struct tsim *sim, struct ts_lightest *list)
+{
+	size_t n = (size_t)sim->particles->ntypes + 1;
+	double *number = sim->division ? ts_alloc(6 * n, sizeof *number) : NULL;
+
+	if (list && number) {
+		for (size_t m = 0; m < 2; m++)
+			take_first(sim, list,
+				   &(struct first_of_ranks){ number + (3 * m) * n, number + (3 * m + 1) * n,
+							     number + (3 * m + 2) * n });
+		for (size_t t = 0; t < n; t++)
+			list[t] = (struct ts_lightest){ { number[t], number[3 * n + t] },
+							{ -number[n + t], -number[4 * n + t] } };
+	} else if (sim->division) {
+		ts_free(list);
+		list = NULL;
+	}
+	ts_free(number);
+	return list;
 }
 
 struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
@@ -37,6 +101,7 @@ struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
 		if (ts_in_group(p, i, group))
 			insert_lightest(&list[p->type[i]], p->mask[i] & prescribed ? 0 : p->imass[i],
 					p->radius[i]);
+	list = merge_ranks(sim, list);
 	for (int t = 1; list && t <= p->ntypes; t++) {
 		double radius, inverse_mass = ts_template_inverse_mass(sim, t, &radius);
 

@@ -7,6 +7,7 @@
 #include "contact/limits.h"
 #include "contact/multicontact.h"
 #include "contact/substep_contacts.h"
+#include "core/ranks.h"
 #include "core/report.h"
 #include "insert/template.h"
 #include "particle/columns.h"
@@ -267,6 +268,8 @@ static double *deepest_overlaps(const struct tsim *sim, const struct ts_pair *pa
 		ts_sub(p->x[i], p->x[j], d);
 		*one = *other = fmax(*one, p->radius[i] + p->radius[j] - ts_norm(d));
 	}
+	if (most)
+		ts_ranks_most_of(sim, most, n * n);
 	return most;
 }
 

@@ -32,6 +32,10 @@ struct ts_carrier {
 			       const struct ts_leaving *leaving, struct ts_carried *out);
 	/* Takes the rows of the local particles, in addition to those that it has. */
 	enum ts_status (*take)(struct ts_instance *self, struct tsim *sim, const struct ts_carried *rows);
+	/* Contacts of two particles: appends the rows of those one of whose particles crosses a periodic face, once with each
+	 * identity; the state keeps all. NULL: rows do not depend on periodic faces. */
+	enum ts_status (*turn)(struct ts_instance *self, struct tsim *sim, const struct ts_leaving *turning,
+			       struct ts_carried *out);
 };
 
 /* Appends a row of out->bytes bytes, which the caller writes; NULL: out of memory. */

@@ -311,6 +311,8 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 		TS_TRY(run_stage(plan, sim, TS_STAGE_FORWARD));
 	sim->run.rebuild = sim->run.relist = false;
 	TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
+	if (sim->division)
+		TS_TRY(ts_ranks_settle(plan, sim));
 	if (sim->division && ts_ranks_whole_due(plan, sim))
 		TS_TRY(sim->tables->gather(plan, sim, ts_ranks_lists_due(plan, sim)));
 	return run_stages(plan, sim, TS_STAGE_END_OF_STEP, TS_STAGE_OUTPUT);

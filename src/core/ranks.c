@@ -11,6 +11,12 @@ double ts_ranks_most(const struct tsim *sim, double value)
 	return value;
 }
 
+void ts_ranks_most_of(const struct tsim *sim, double *value, size_t n)
+{
+	if (sim->division)
+		ts_world_most(sim->world, value, n);
+}
+
 double ts_ranks_same(const struct tsim *sim, double value)
 {
 	if (sim->world && !sim->division)
@@ -65,6 +71,17 @@ enum ts_status ts_ranks_check_systems(struct tsim *sim)
 
 		if (why)
 			return ts_ranks_refuse(sim, why, ts_sim_word(sim, 0, NULL));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim)
+{
+	for (size_t k = 0; k < plan->n[TS_STAGE_END_OF_STEP]; k++) {
+		struct ts_instance *self = plan->actions[TS_STAGE_END_OF_STEP][k].self;
+
+		if (self->style->settle && self->style->due(self, sim))
+			TS_TRY(self->style->settle(self, sim));
 	}
 	return TS_OK;
 }

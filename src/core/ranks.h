@@ -26,6 +26,7 @@ static inline bool ts_ranks_first(const struct tsim *sim)
 
 /* The largest of the values of all ranks while the particles are divided, else the value itself. */
 double ts_ranks_most(const struct tsim *sim, double value);
+void ts_ranks_most_of(const struct tsim *sim, double *value, size_t n);
 /* The number of the first rank: for what is not the same on all, such as times. */
 double ts_ranks_same(const struct tsim *sim, double value);
 
@@ -37,6 +38,8 @@ enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, co
 enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
 /* Before a run: asks all systems whether the particles can be divided. */
 enum ts_status ts_ranks_check_systems(struct tsim *sim);
+/* Calls the slot `settle` of the styles that have anything to do in this step. */
+enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim);
 /* Whether a hook of END_OF_STEP or OUTPUT of this step needs all particles on each rank, or they are to be divided
  * again. */
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);

@@ -29,9 +29,10 @@ struct ts_left_out {
 struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
-	bool limits_only;    /* during a run: only limits are collected */
-	bool advice;	     /* also collect recommended, not only stability limits */
-	double enough;	     /* limits above this [time] may be estimates; infinite: all are exact */
+	bool limits_only; /* during a run: only limits are collected */
+	bool advice;	  /* also collect recommended, not only stability limits */
+	double enough;	  /* limits above this [time] may be estimates; infinite: all are exact */
+	bool undecided;	  /* the particles are divided among ranks, and a limit needs those of other ranks */
 	struct ts_str lines; /* "  particles    3100 ..." */
 	struct ts_left_out *left_out;
 	size_t nleft_out, left_out_capacity;

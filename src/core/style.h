@@ -201,6 +201,9 @@ struct ts_style {
 	/* While the particles are divided among ranks, before all ranks get all particles: sums over the particles of this
 	 * rank become those over all of them (particle/rank_sums.h), for outputs. */
 	ts_hook_fn *join;
+	/* While the particles are divided among ranks: does what its hook of END_OF_STEP would do in this step if that needs
+	 * no particles of other ranks, so that `due` is false then. All ranks call it. */
+	ts_hook_fn *settle;
 	const struct ts_carrier
 		*carrier; /* state by particle that changes ranks with it; NULL: there is none */
 	/* Adds the particles of other ranks that this one needs copies of besides those near it: particle/copies.h. */

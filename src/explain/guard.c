@@ -11,6 +11,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "core/ranks.h"
 #include "core/value.h"
 
 #include "base/banned.h"
@@ -201,9 +202,10 @@ static bool due(const struct ts_instance *self, const struct tsim *sim)
 	return is_due(self->state, sim);
 }
 
-static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+typedef enum ts_status check_fn(struct tsim *sim, const struct ts_plan_report *report);
+
+static enum ts_status check_if_due(struct ts_guard *g, struct tsim *sim, check_fn *check)
 {
-	struct ts_guard *g = self->state;
 	struct ts_plan_report report;
 	enum ts_status status;
 
@@ -217,9 +219,48 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	status = evaluate_limits(sim, ts_guard_enough(sim),
 				 g->interval == FIRST / 2 || g->interval == LONGEST, &report);
 	if (status == TS_OK)
-		status = check_limits(sim, &report);
+		status = check(sim, &report);
 	ts_report_release(&report);
 	return status;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	return check_if_due(self->state, sim, check_limits);
+}
+
+/* Whether a check of these limits would say or end anything. */
+static bool has_consequences(const struct tsim *sim, const struct ts_plan_report *report,
+			     const struct ts_limit *hard)
+{
+	const struct ts_guard *g = sim->guard;
+	int level = hard ? level_of(sim, hard) : 0;
+
+	if (g->seen || (level == BEYOND && !hard->watched) || (level && !was_told(g, hard, NEAR)))
+		return true;
+	for (size_t k = 0; k < report->nlimits; k++)
+		if (!report->limit[k].fatal && level_of(sim, &report->limit[k]) == BEYOND &&
+		    !was_told(g, &report->limit[k], BEYOND))
+			return true;
+	return false;
+}
+
+/* Each rank has the limits of its own particles; the least one of all ranks is that which one rank would find. */
+static enum ts_status check_own_limits(struct tsim *sim, const struct ts_plan_report *report)
+{
+	const struct ts_limit *hard = ts_report_binding(report, true);
+	double most[2] = { report->undecided || has_consequences(sim, report, hard),
+			   hard ? -hard->dt : -INFINITY };
+
+	ts_ranks_most_of(sim, most, 2);
+	if (!(most[0] > 0)) /* else all ranks check all particles */
+		choose_next(sim->guard, sim->clock.step, sim->clock.dt / -most[1]);
+	return TS_OK;
+}
+
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
+{
+	return check_if_due(self->state, sim, check_own_limits);
 }
 
 /* ---- for outputs ---- */
@@ -269,6 +310,7 @@ const struct ts_system_style ts_guard_system = {
 		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step },
 		   .ranks = TS_RANKS_WHOLE,
 		   .due = due,
+		   .settle = settle,
 		   .defers = TS_DEFERS(END_OF_STEP) },
 	.slot = offsetof(struct tsim, guard),
 	.keywords = keywords,

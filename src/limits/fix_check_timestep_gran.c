@@ -70,7 +70,7 @@ TS_STYLE(fix, ts_style, ts_fix_check_timestep_gran)
 const struct ts_style ts_fix_check_timestep_gran = {
 	.name = "check/timestep/gran",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "compares the time step with the Rayleigh time and the duration of collisions",
 	.doc = "Every N steps three ratios are computed. f_ID[1] = dt/t_R, the smallest Rayleigh time t_R = "

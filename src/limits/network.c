@@ -301,21 +301,16 @@ static void score_walls(struct network *w)
 		}
 }
 
-/* A pair across a periodic face is listed twice: each entry counts for its own i. */
+/* Summed in the order of the partners' identities, as forces are: the same on any number of ranks. */
 static void score_contacts(struct network *w)
 {
 	const struct ts_contact_list *contacts = &w->sim->neigh->contacts;
-	size_t n = w->sim->particles->n;
+	const struct ts_gather *g = &contacts->gather;
 
-	for (size_t r = 0; w->pair && r < contacts->n; r++) {
-		if (!(w->k[r] > 0))
-			continue;
-		w->score[node_of(w, (size_t)contacts->i[r])] +=
-			score_share(w, (size_t)contacts->i[r], w->k[r]);
-		if ((size_t)contacts->j[r] < n)
-			w->score[node_of(w, (size_t)contacts->j[r])] +=
-				score_share(w, (size_t)contacts->j[r], w->k[r]);
-	}
+	for (size_t i = 0; w->pair && contacts->n && i < w->sim->particles->n; i++)
+		for (size_t e = g->first[i]; e < g->first[i + 1]; e++)
+			if (w->k[g->entry[e] >> 1] > 0)
+				w->score[node_of(w, i)] += score_share(w, i, w->k[g->entry[e] >> 1]);
 }
 
 static void sum_scores(struct network *w)
@@ -602,6 +597,10 @@ static enum ts_status search_places(struct network *w, struct ts_plan_report *re
 			return TS_OK;
 		if (bound > report->enough && (!slip || bound / SLIP_FACTOR > report->enough))
 			return report_bound(w, report, bound);
+		if (w->sim->division) { /* its bodies may be on other ranks */
+			report->undecided = true;
+			return TS_OK;
+		}
 		TS_TRY(build_local_network(w, node));
 		TS_TRY(report_local_network(w, report, false));
 		if (slip)
@@ -636,6 +635,10 @@ static enum ts_status report_damped(struct network *w, struct ts_plan_report *re
 	most = w->damped ? highest_score(w, &node) : 0;
 	if (!(most > 0) || 2 / sqrt(2 * most) > report->enough)
 		return TS_OK;
+	if (w->sim->division) {
+		report->undecided = true;
+		return TS_OK;
+	}
 	TS_TRY(build_local_network(w, node));
 	if (ts_lanczos_limit(&w->modes, false, w->sim->clock.dt, &limit, &worst) != TS_OK)
 		return ts_nomem(&w->sim->error);
@@ -673,6 +676,10 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	if (sim->run.explicit_euler || (!w.pair && !w.bond) ||
 	    (w.pair && sim->neigh->contacts.particles != sim->particles->n))
 		return TS_OK;
+	if (sim->division && (w.bond || sim->rigid->n)) {
+		report->undecided = true;
+		return TS_OK;
+	}
 	TS_TRY(ts_rigid_list(sim));
 	status = compute_scores(&w);
 	if (status == TS_OK && damping_fix(sim)) {

@@ -74,6 +74,32 @@ void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other)
 	sum->waiting = 1;
 }
 
+/* Behind the limbs: numbers of sums that are not finite, by kind. */
+void ts_exactsum_pack(struct ts_exactsum *sum, int64_t integer[TS_EXACTSUM_INTEGERS])
+{
+	int64_t *kind = integer + TS_EXACTSUM_LIMBS;
+
+	propagate_carries(sum);
+	memcpy(integer, sum->limb, sizeof sum->limb);
+	kind[0] = isnan(sum->special);
+	kind[1] = sum->special == INFINITY;
+	kind[2] = sum->special == -INFINITY;
+}
+
+struct ts_exactsum ts_exactsum_unpack(const int64_t integer[TS_EXACTSUM_INTEGERS])
+{
+	const int64_t *kind = integer + TS_EXACTSUM_LIMBS;
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	memcpy(sum.limb, integer, sizeof sum.limb);
+	propagate_carries(&sum);
+	if (kind[0] || (kind[1] && kind[2]))
+		sum.special = NAN;
+	else if (kind[1] || kind[2])
+		sum.special = kind[1] ? INFINITY : -INFINITY;
+	return sum;
+}
+
 static bool get_bit(const struct ts_exactsum *sum, int k)
 {
 	return (sum->limb[k / 32] >> (k % 32)) & 1;

@@ -24,6 +24,11 @@ static inline struct ts_exactsum ts_exactsum_start(void)
 void ts_exactsum_add(struct ts_exactsum *sum, double term);
 /* Adds another sum. */
 void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other);
+/* Writes the sum as integers, or reads it: the sum of such integers of at most 2^31 sums, number by number, is that of their
+ * sums. */
+enum { TS_EXACTSUM_INTEGERS = TS_EXACTSUM_LIMBS + 3 };
+void ts_exactsum_pack(struct ts_exactsum *sum, int64_t integer[TS_EXACTSUM_INTEGERS]);
+struct ts_exactsum ts_exactsum_unpack(const int64_t integer[TS_EXACTSUM_INTEGERS]);
 /* The exact sum, rounded once to nearest-even. */
 double ts_exactsum_value(const struct ts_exactsum *sum);
 

@@ -77,6 +77,28 @@ static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool resu
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+static enum ts_status turn(struct ts_instance *self, struct tsim *sim, const struct ts_leaving *turning,
+			   struct ts_carried *out)
+{
+	struct ts_neigh *nb = self->state;
+	struct ts_contact_history h = { 0 };
+	enum ts_status status = TS_OK;
+
+	out->bytes = sizeof *h.key + nb->contacts.history_width * sizeof *h.value;
+	if (!nb->wanted || !turning->n)
+		return TS_OK;
+	TS_TRY(ts_contact_history_save(sim, &nb->contacts, false, &h));
+	for (size_t k = 0; k < h.n && status == TS_OK; k++) {
+		const int32_t *tag = h.key[k].tag;
+		bool turns = ts_carried_leaves(turning, tag[0]) || ts_carried_leaves(turning, tag[1]);
+
+		for (int m = 0; turns && m < 2 && status == TS_OK; m++)
+			status = add_row(&h, k, tag[m], false, out);
+	}
+	ts_contact_history_release(&h);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
 /* Of an entry that was given to both particles the one of its holder is taken. */
 static bool is_taken(const struct ts_identities *map, const struct ts_contact_key *key, int32_t tag)
 {
@@ -120,4 +142,4 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	return TS_OK;
 }
 
-const struct ts_carrier ts_carried_history = { give, take };
+const struct ts_carrier ts_carried_history = { give, take, turn };

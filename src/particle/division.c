@@ -7,8 +7,10 @@
 #include "box/domain.h"
 #include "core/plan.h"
 #include "core/ranks.h"
+#include "particle/carrier_rows.h"
 #include "particle/columns.h"
 #include "particle/identity.h"
+#include "particle/turning.h"
 
 #include "base/banned.h"
 
@@ -137,21 +139,14 @@ const char *ts_division_refused(const struct tsim *sim)
 	return p->liquid ? "liquid on particles" : NULL;
 }
 
-/* ---- rows of carriers */
-
-static void release_carried(struct ts_division *d)
-{
-	for (size_t k = 0; k < d->ncarried; k++)
-		ts_parcel_release(&d->carried[k].rows);
-	d->ncarried = 0;
-}
-
 void ts_division_free(struct ts_division *d)
 {
 	if (!d)
 		return;
-	release_carried(d);
+	ts_carrier_rows_release(d);
 	ts_free(d->carried);
+	ts_turning_forget(d);
+	ts_free(d->turned);
 	ts_str_release(&d->said);
 	ts_parcel_release(&d->look.ghosts);
 	ts_rank_blocks_release(&d->blocks);
@@ -159,158 +154,14 @@ void ts_division_free(struct ts_division *d)
 	ts_free(d);
 }
 
-/* The live styles with a carrier, in the order of kinds: *kind and *k start at 0; NULL: there are no more. */
-static struct ts_instance *next_carrier(const struct tsim *sim, int *kind, size_t *k)
-{
-	for (; *kind < TS_NKIND; ++*kind, *k = 0)
-		while (*k < sim->instances[*kind].n) {
-			struct ts_instance *inst = sim->instances[*kind].item[(*k)++];
-
-			if (inst->style->carrier)
-				return inst;
-		}
-	return NULL;
-}
-
-static enum ts_status give_all(struct tsim *sim, struct ts_division *d, bool results,
-			       const struct ts_leaving *leaving)
-{
-	struct ts_instance *inst;
-	int kind = 0;
-	size_t k = 0;
-
-	release_carried(d);
-	while ((inst = next_carrier(sim, &kind, &k))) {
-		if (TS_GROW(d->carried, d->carried_capacity, d->ncarried + 1) != TS_OK)
-			return ts_nomem(&sim->error);
-		d->carried[d->ncarried] = (struct ts_carried){ 0 };
-		TS_TRY(inst->style->carrier->give(inst, sim, results, leaving, &d->carried[d->ncarried++]));
-	}
-	return TS_OK;
-}
-
-static enum ts_status take_all(struct tsim *sim, struct ts_division *d)
-{
-	struct ts_instance *inst;
-	int kind = 0;
-	size_t k = 0, n = 0;
-
-	while ((inst = next_carrier(sim, &kind, &k)))
-		TS_TRY(inst->style->carrier->take(inst, sim, &d->carried[n++]));
-	release_carried(d);
-	return TS_OK;
-}
-
-/* Puts each row into the parcel of rank to[i], where i is its particle; without `to` into parcel 0. Rows of particles
- * that this rank does not have are appended to `away`, or left out if it is NULL. */
-static enum ts_status sort_rows(struct tsim *sim, const struct ts_carried *rows, const int32_t *to,
-				struct ts_parcel *out, struct ts_carried *away)
-{
-	size_t n = ts_carried_count(rows);
-	struct ts_identities map;
-
-	TS_TRY(ts_identities(sim, false, &map));
-	for (size_t k = 0; k < n; k++) {
-		int32_t tag, i;
-		const unsigned char *row = ts_carried_row(rows, k, &tag);
-		struct ts_parcel *parcel;
-
-		i = ts_identity_row(&map, tag);
-		if (i < 0 && !away)
-			continue;
-		parcel = i < 0 ? &away->rows : &out[to ? to[i] : 0];
-		if (ts_parcel_add(parcel, row - sizeof tag, sizeof tag + rows->bytes) != TS_OK)
-			return ts_nomem(&sim->error);
-	}
-	return TS_OK;
-}
-
-static enum ts_status keep_local_rows(struct tsim *sim, struct ts_carried *rows)
-{
-	struct ts_parcel kept = { 0 };
-	enum ts_status status = sort_rows(sim, rows, NULL, &kept, NULL);
-
-	ts_parcel_release(&rows->rows);
-	rows->rows = kept;
-	return status;
-}
-
-/* Sends out[r] to each rank r; the rows become what is received. */
-static enum ts_status deliver_rows(struct tsim *sim, struct ts_carried *rows, struct ts_parcel *out)
-{
-	struct ts_parcel *in = sim->division->copies.in;
-	enum ts_status status;
-
-	status = ts_world_deliver(sim->world, out, in);
-	rows->rows.n = 0;
-	for (int r = 0; r < sim->world->n; r++) {
-		if (status == TS_OK)
-			status = ts_parcel_add(&rows->rows, in[r].data, in[r].n);
-	}
-	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
-}
-
-static struct ts_parcel *empty_parcels(const struct tsim *sim)
-{
-	struct ts_parcel *out = sim->division->copies.out;
-
-	for (int r = 0; r < sim->world->n; r++)
-		out[r].n = 0;
-	return out;
-}
-
-/* Rows of copies are sent to the ranks of their originals. */
-static enum ts_status send_rows_home(struct tsim *sim, struct ts_carried *rows,
-				     const struct ts_copy_map *copy)
-{
-	struct ts_carried local = { .bytes = rows->bytes }, away = { .bytes = rows->bytes };
-	struct ts_parcel *out = empty_parcels(sim);
-	enum ts_status status = sort_rows(sim, rows, NULL, &local.rows, &away);
-	size_t n = status == TS_OK ? ts_carried_count(&away) : 0;
-
-	for (size_t k = 0; k < n && status == TS_OK; k++) {
-		int32_t tag;
-		const unsigned char *row = ts_carried_row(&away, k, &tag);
-		int32_t found = ts_copy_map_find(copy, tag);
-
-		if (found >= 0 && ts_parcel_add(&out[ts_copies_rank(&sim->division->copies, (size_t)found)],
-						row - sizeof tag, sizeof tag + rows->bytes) != TS_OK)
-			status = ts_nomem(&sim->error);
-	}
-	if (status == TS_OK)
-		status = deliver_rows(sim, rows, out);
-	if (status == TS_OK && ts_parcel_add(&rows->rows, local.rows.data, local.rows.n) != TS_OK)
-		status = ts_nomem(&sim->error);
-	ts_parcel_release(&local.rows);
-	ts_parcel_release(&away.rows);
-	return status;
-}
-
-/* Without periodic faces a contact has the same history on both ranks, so that rows of particles that stay where they are
- * need not be given. */
-static bool some_face_is_periodic(const struct tsim *sim)
-{
-	bool is = false;
-
-	for (int k = 0; k < 3; k++)
-		is |= ts_box_periodic(&sim->domain->box, k);
-	return is;
-}
-
 enum ts_status ts_division_let_go(struct tsim *sim)
 {
-	struct ts_division *d = sim->division;
-	struct ts_copy_map copy;
-	enum ts_status status;
+	const struct ts_box *box = &sim->domain->box;
 
-	if (!d || !some_face_is_periodic(sim))
+	if (!sim->division ||
+	    !(ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2)))
 		return TS_OK;
-	TS_TRY(give_all(sim, d, false, NULL));
-	status = ts_copy_map_make(sim, &copy) == TS_OK ? TS_OK : ts_nomem(&sim->error);
-	for (size_t k = 0; k < d->ncarried && status == TS_OK; k++)
-		status = send_rows_home(sim, &d->carried[k], &copy);
-	ts_copy_map_release(&copy);
-	return status;
+	return ts_turning_exchange(sim);
 }
 
 /* ---- migration */
@@ -344,7 +195,7 @@ static enum ts_status send_particles(struct tsim *sim, const int32_t *to, unsign
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_division *d = sim->division;
-	struct ts_parcel *out = empty_parcels(sim);
+	struct ts_parcel *out = ts_carrier_rows_parcels(sim);
 	size_t before;
 
 	for (size_t i = 0; i < p->n; i++) {
@@ -368,13 +219,13 @@ static enum ts_status send_all(struct tsim *sim, const int32_t *to, unsigned cha
 	struct ts_division *d = sim->division;
 
 	for (size_t k = 0; k < d->ncarried; k++) {
-		struct ts_parcel *out = empty_parcels(sim);
+		struct ts_parcel *out = ts_carrier_rows_parcels(sim);
 
-		TS_TRY(sort_rows(sim, &d->carried[k], to, out, NULL));
-		TS_TRY(deliver_rows(sim, &d->carried[k], out));
+		TS_TRY(ts_carrier_rows_sort(sim, &d->carried[k], to, out, NULL));
+		TS_TRY(ts_carrier_rows_deliver(sim, &d->carried[k], out));
 	}
 	TS_TRY(send_particles(sim, to, gone));
-	return take_all(sim, d);
+	return ts_carrier_rows_take(sim, d);
 }
 
 /* to[i]: the rank of the particle's position. */
@@ -399,18 +250,17 @@ static enum ts_status send_leaving(struct tsim *sim, int32_t *to, unsigned char 
 				   struct ts_leaving *leaving)
 {
 	struct ts_division *d = sim->division;
-	bool whole = some_face_is_periodic(sim); /* ts_division_let_go has given all rows */
 	double most[2];
 
 	TS_TRY(find_leaving(sim, to, leaving));
-	most[0] = (double)leaving->n;
+	most[0] = leaving->n || ts_turning_found(d);
 	most[1] = (double)sim->particles->n;
 	ts_world_most(sim->world, most, 2);
 	sim->run.uneven |= most[1] > VERY_UNEVEN * (double)d->cut_most + FEW;
-	if (!whole && !(most[0] > 0))
+	if (!(most[0] > 0))
 		return TS_OK;
-	if (!whole)
-		TS_TRY(give_all(sim, d, false, leaving));
+	TS_TRY(ts_carrier_rows_give(sim, d, false, leaving));
+	TS_TRY(ts_turning_add(sim));
 	return send_all(sim, to, gone);
 }
 
@@ -668,15 +518,15 @@ static bool blocks_are_uneven(struct tsim *sim, struct ts_division *d)
 /* All ranks get all particles and the rows of all carriers, and make the lists again. */
 static enum ts_status gather_all(struct ts_plan *plan, struct tsim *sim, struct ts_division *d)
 {
-	TS_TRY(give_all(sim, d, true, NULL));
+	TS_TRY(ts_carrier_rows_give(sim, d, true, NULL));
 	for (size_t k = 0; k < d->ncarried; k++)
-		TS_TRY(keep_local_rows(sim, &d->carried[k]));
+		TS_TRY(ts_carrier_rows_keep_local(sim, &d->carried[k]));
 	TS_TRY(share_particles(sim, d));
 	for (size_t k = 0; k < d->ncarried; k++)
 		TS_TRY(share_rows(sim, &d->carried[k]));
 	TS_TRY(leave_division(sim, d));
 	d->listed++;
-	TS_TRY(take_all(sim, d));
+	TS_TRY(ts_carrier_rows_take(sim, d));
 	return remake_lists(plan, sim, d);
 }
 

@@ -28,6 +28,8 @@ struct ts_division {
 	struct ts_copies copies;
 	struct ts_carried *carried; /* [ncarried], by live style with a carrier */
 	size_t ncarried, carried_capacity;
+	struct ts_carried *turned; /* [nturned], by live style with a carrier: particle/turning.h */
+	size_t nturned, turned_capacity;
 	bool rebuilding;     /* lists are made again for other particles: it is no rebuild of the run */
 	struct ts_str said;  /* warnings of this rank, which the first one is to print */
 	int64_t built, made; /* how often copies were made, and how many */
@@ -45,7 +47,7 @@ enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool l
 const char *ts_division_refused(const struct tsim *sim);
 void ts_division_free(struct ts_division *division);
 
-/* In EXCHANGE, before particles are deleted: takes the rows of all carriers. */
+/* In EXCHANGE, before particles are wrapped or deleted: exchanges rows that depend on periodic faces. */
 enum ts_status ts_division_let_go(struct tsim *sim);
 /* After that: moves particles and their rows to the ranks of their new positions. */
 enum ts_status ts_division_migrate(struct tsim *sim);

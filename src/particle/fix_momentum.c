@@ -117,7 +117,7 @@ TS_STYLE(fix, ts_style, ts_fix_momentum)
 const struct ts_style ts_fix_momentum = {
 	.name = "momentum",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_OWN,
 	.due = due,
 	.summary = "Removes linear and angular momentum of a group",
 	.doc = "Every N steps, at the end of the step, the velocity of the centre of mass is subtracted from "

@@ -136,7 +136,7 @@ TS_STYLE(fix, ts_style, ts_fix_store_state)
 const struct ts_style ts_fix_store_state = {
 	.name = "store/state",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "Stores per-particle quantities",
 	.doc = "Stores the inputs of the particles in the group when the fix is defined and, unless N is 0, "

@@ -1,26 +1,18 @@
 #include "particle/rank_sums.h"
 
-#include <string.h>
-
 #include "base/banned.h"
 
 void ts_rank_sums_merge(const struct tsim *sim, struct ts_exactsum *part, size_t width)
 {
-	struct ts_world *world = sim->division ? sim->world : NULL;
+	int64_t integer[TS_RANK_SUMS_MOST][TS_EXACTSUM_INTEGERS];
 
-	struct ts_exactsum mine[TS_RANK_SUMS_MOST], of[TS_RANK_SUMS_MOST];
-
-	if (!world)
+	if (!sim->division)
 		return;
-	memcpy(mine, part, width * sizeof *mine);
 	for (size_t k = 0; k < width; k++)
-		part[k] = ts_exactsum_start();
-	for (int r = 0; r < world->n; r++) {
-		memcpy(of, mine, width * sizeof *of);
-		ts_world_spread(world, r, of, width * sizeof *of);
-		for (size_t k = 0; k < width; k++)
-			ts_exactsum_merge(&part[k], &of[k]);
-	}
+		ts_exactsum_pack(&part[k], integer[k]);
+	ts_world_sums(sim->world, integer[0], width * TS_EXACTSUM_INTEGERS);
+	for (size_t k = 0; k < width; k++)
+		part[k] = ts_exactsum_unpack(integer[k]);
 }
 
 enum ts_status ts_rank_sums(struct tsim *sim, const double *data, size_t n, size_t stride, size_t width,

@@ -223,12 +223,12 @@ static enum ts_status collect(struct ts_world *world, const void *mine, const ui
 	return at ? TS_OK : TS_NOMEM;
 }
 
-static void sum(struct ts_world *world, int64_t *number)
+static void sum(struct ts_world *world, int64_t *number, size_t n)
 {
 	struct mpi *m = (struct mpi *)world;
 	MPI_Request request;
 
-	MPI_Iallreduce(MPI_IN_PLACE, number, 1, MPI_INT64_T, MPI_SUM, m->all, &request);
+	MPI_Iallreduce(MPI_IN_PLACE, number, (int)n, MPI_INT64_T, MPI_SUM, m->all, &request);
 	wait_for(m, &request, 1);
 }
 

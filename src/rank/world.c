@@ -41,8 +41,13 @@ void ts_world_most(struct ts_world *world, double *value, size_t n)
 
 void ts_world_sum(struct ts_world *world, int64_t *number)
 {
+	ts_world_sums(world, number, 1);
+}
+
+void ts_world_sums(struct ts_world *world, int64_t *number, size_t n)
+{
 	world->counts.agreements++;
-	world->call->sum(world, number);
+	world->call->sum(world, number, n);
 }
 
 void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n)

@@ -30,8 +30,8 @@ struct ts_world_functions {
 	/* The bytes of all ranks, size[r] of rank r, one after the other. TS_NOMEM: out of memory. */
 	enum ts_status (*collect)(struct ts_world *world, const void *mine, const uint64_t *size,
 				  unsigned char *all);
-	/* *number becomes the sum of those of all ranks. */
-	void (*sum)(struct ts_world *world, int64_t *number);
+	/* number[k] becomes the sum of those of all ranks. */
+	void (*sum)(struct ts_world *world, int64_t *number, size_t n);
 	/* Sends out[r] to rank r where it is not empty, and appends what rank r has sent to in[r]: no rank knows from whom
 	 * it receives. Also out of memory: TS_NOMEM. */
 	enum ts_status (*deliver)(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
@@ -60,8 +60,9 @@ void ts_parcel_release(struct ts_parcel *parcel);
 
 /* value[k] becomes the largest of all ranks. */
 void ts_world_most(struct ts_world *world, double *value, size_t n);
-/* *number becomes the sum of those of all ranks. */
+/* *number, or number[k], becomes the sum of those of all ranks. */
 void ts_world_sum(struct ts_world *world, int64_t *number);
+void ts_world_sums(struct ts_world *world, int64_t *number, size_t n);
 /* The bytes of rank `from` are copied to all. */
 void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n);
 /* Sends out[r] to rank r for all r, and receives in[r], of any size; out[rank] is copied to in[rank]. */

@@ -73,6 +73,35 @@ START_TEST(rng_is_a_function)
 }
 END_TEST
 
+/* The sum of two sums, added as integers. */
+static double sum_as_integers(const double a[2], const double b[2])
+{
+	struct ts_exactsum x = ts_exactsum_start(), y = ts_exactsum_start();
+	int64_t m[TS_EXACTSUM_INTEGERS], n[TS_EXACTSUM_INTEGERS];
+
+	for (int k = 0; k < 2; k++) {
+		ts_exactsum_add(&x, a[k]);
+		ts_exactsum_add(&y, b[k]);
+	}
+	ts_exactsum_pack(&x, m);
+	ts_exactsum_pack(&y, n);
+	for (int k = 0; k < TS_EXACTSUM_INTEGERS; k++)
+		m[k] += n[k];
+	x = ts_exactsum_unpack(m);
+	return ts_exactsum_value(&x);
+}
+
+START_TEST(exactsum_as_integers)
+{
+	ck_assert(sum_as_integers((double[]){ 1e300, -0x1p-1074 }, (double[]){ -1e300, -3.5 }) == -3.5);
+	ck_assert(sum_as_integers((double[]){ 1e300, 0x1p-1074 }, (double[]){ -1e300, 0 }) == 0x1p-1074);
+	ck_assert(sum_as_integers((double[]){ 1, INFINITY }, (double[]){ 2, 3 }) == INFINITY);
+	ck_assert(sum_as_integers((double[]){ 1, -INFINITY }, (double[]){ -INFINITY, 3 }) == -INFINITY);
+	ck_assert(isnan(sum_as_integers((double[]){ 1, INFINITY }, (double[]){ -INFINITY, 3 })));
+	ck_assert(isnan(sum_as_integers((double[]){ NAN, 1 }, (double[]){ 2, 3 })));
+}
+END_TEST
+
 START_TEST(exactsum_cancels)
 {
 	struct ts_exactsum s = ts_exactsum_start();
@@ -225,6 +254,7 @@ int main(void)
 	tcase_add_test(tests, rng_moments);
 	tcase_add_test(tests, rng_is_a_function);
 	tcase_add_test(tests, exactsum_cancels);
+	tcase_add_test(tests, exactsum_as_integers);
 	tcase_add_test(tests, exactsum_range);
 	tcase_add_test(tests, exactsum_rounding);
 	tcase_add_test(tests, exactsum_order);
