@@ -26,11 +26,12 @@ typedef long long ts_four_places __attribute__((vector_size(32)));
 #define TS_FOUR_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, (ts_four_places){ i, j, k, l })
 #endif
 
-/* Elementwise maximum: most = max(most, x). */
+/* Elementwise maximum: most = max(most, x). By marks, as compilers take conditional expressions apart. */
 TS_INLINE void ts_four_max(ts_four *most, const ts_four *x)
 {
-	for (int k = 0; k < 4; k++)
-		(*most)[k] = (*x)[k] > (*most)[k] ? (*x)[k] : (*most)[k];
+	const ts_four_marks more = *x > *most;
+
+	*most = (ts_four)(((ts_four_marks)*x & more) | ((ts_four_marks)*most & ~more));
 }
 
 #define TS_FOUR_BROADCAST(x) ((ts_four){ x, x, x, x })

@@ -24,13 +24,15 @@ TS_CLONES static void pack_spheres(const struct ts_particles *p, const struct ts
 	ts_four largest = { 0 };
 
 	for (size_t i = from; i < to; i++) {
+		const ts_four radius = TS_FOUR_BROADCAST(p->radius[i]),
+			      imass = TS_FOUR_BROADCAST(p->imass[i]);
 		ts_four now = TS_FOUR_LOAD(p->x[i]), velocity = TS_FOUR_LOAD(p->v[i]), omega = { 0 }, step;
 
-		now[3] = p->radius[i];
-		velocity[3] = p->imass[i];
+		now = TS_FOUR_LAST(now, radius);
+		velocity = TS_FOUR_LAST(velocity, imass);
 		if (p->omega)
 			omega = TS_FOUR_LOAD(p->omega[i]);
-		omega[3] = p->radius[i];
+		omega = TS_FOUR_LAST(omega, radius);
 		step = now - *(ts_four *)sphere[i].position - drift;
 		step *= step;
 		*(ts_four *)sphere[i].position = now;
