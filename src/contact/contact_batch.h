@@ -274,8 +274,8 @@ TS_INLINE uint64_t ts_batch_bits(const long long *mark, size_t n)
 	return bits;
 }
 
-/* Marks which of the pairs active[0 .. n-1], n <= 4, touch. */
-TS_INLINE void ts_batch_find_touching(const struct ts_contact_list *list, const struct ts_active_pair *active,
+/* Marks which of the pairs active[0 .. n-1], n <= 4, touch; marks of others are those of the first. */
+TS_INLINE void ts_batch_mark_touching(const struct ts_contact_list *list, const struct ts_active_pair *active,
 				      size_t n, ts_four_marks *touch)
 {
 	ts_four d[4];
@@ -288,8 +288,25 @@ TS_INLINE void ts_batch_find_touching(const struct ts_contact_list *list, const 
 	}
 	ts_four_transpose(d);
 	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
-	for (size_t k = n; k < 4; k++)
-		(*touch)[k] = 0;
+}
+
+/* Which of the n <= TS_BATCH pairs touch, as bits. They are collected in a vector: marks that are stored by fours and loaded
+ * by eights would wait for the stores. */
+TS_INLINE uint64_t ts_batch_find_touching(const struct ts_contact_list *list,
+					  const struct ts_active_pair *active, size_t n)
+{
+	ts_four_marks bit = { 1, 2, 4, 8 }, bits = { 0 }, touch;
+	size_t k = 0;
+
+	for (; k + 4 <= n; k += 4, bit <<= 4) {
+		ts_batch_mark_touching(list, active + k, 4, &touch);
+		bits |= touch & bit;
+	}
+	if (k < n) {
+		ts_batch_mark_touching(list, active + k, n - k, &touch);
+		bits |= touch & bit;
+	}
+	return (uint64_t)(bits[0] | bits[1] | bits[2] | bits[3]) & ~(uint64_t)0 >> (TS_BATCH - n);
 }
 
 /* Begins the contacts of those pairs of the block that touch now and did not before. */
@@ -298,17 +315,9 @@ TS_INLINE void ts_batch_begin_contacts(const struct ts_contact_list *list, struc
 	const struct ts_active_pair *active = list->active + block->first;
 
 	for (size_t from = block->touching; from < block->n; from += TS_BATCH) {
-		size_t n = block->n - from < TS_BATCH ? block->n - from : TS_BATCH, k = 0;
-		union {
-			ts_four_marks four[TS_BATCH / 4];
-			long long one[TS_BATCH];
-		} touch;
+		size_t n = block->n - from < TS_BATCH ? block->n - from : TS_BATCH;
 
-		for (; k + 4 <= n; k += 4)
-			ts_batch_find_touching(list, active + from + k, 4, &touch.four[k / 4]);
-		if (k < n)
-			ts_batch_find_touching(list, active + from + k, n - k, &touch.four[k / 4]);
-		for (uint64_t bits = ts_batch_bits(touch.one, n); bits; bits &= bits - 1)
+		for (uint64_t bits = ts_batch_find_touching(list, active + from, n); bits; bits &= bits - 1)
 			ts_contact_begin(list, block, from + (size_t)__builtin_ctzll(bits));
 	}
 }

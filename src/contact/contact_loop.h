@@ -35,7 +35,7 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_ac
 		*ts_contact_memory(block, block->touching, c) =
 			list->parted_history ? *ts_contact_history(list, block, block->touching, c) : 0;
 	block->touching++;
-	ts_contact_set_touching(list, pair.row, true);
+	ts_contact_set_active(list, &pair, true);
 	ts_touching_sums_change(list, &pair, true);
 }
 
@@ -58,7 +58,7 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 	}
 	active[at] = active[block->touching];
 	active[block->touching] = pair;
-	ts_contact_set_touching(list, pair.row, false);
+	ts_contact_set_active(list, &pair, false);
 	ts_touching_sums_change(list, &pair, false);
 }
 

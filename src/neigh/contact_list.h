@@ -223,6 +223,13 @@ static inline void ts_contact_set_touching(const struct ts_contact_list *list, s
 	list->slot[r] = (list->slot[r] & ~(uint32_t)1) | touches;
 }
 
+/* The same for an active pair, whose slot is known: nothing is read, as the number is rarely in the cache. */
+static inline void ts_contact_set_active(const struct ts_contact_list *list,
+					 const struct ts_active_pair *pair, bool touches)
+{
+	list->slot[pair->row] = pair->slot << 1 | touches;
+}
+
 /* Builds the list of all pairs of particles whose distance at the last rebuild (xhold) is less than r_i + r_j
  * + skin and of which at least one is mobile (none, if list->both_frozen). The history of touching pairs is
  * carried over. `excluded`: pairs to leave out; may be NULL. */
