@@ -154,12 +154,12 @@ static void change_of_particle(const struct ts_contact_list *list, size_t i, uin
 		    .divided) { /* other threads may change the list of the particle, too */
 #pragma omp atomic write
 		list->sums[i] = TS_SUMS_STALE;
-	} else if (!is_row(list, i) || list->sums[i] + touches > TS_SUM_ROW)
-		list->sums[i] = TS_SUMS_STALE;
-	else if (touches)
+	} else if (touches && list->sums[i] < TS_SUM_ROW && is_row(list, i))
 		insert(list, i, entry, slot);
-	else
+	else if (!touches && list->sums[i] <= TS_SUM_ROW) /* places are not read: no test of their range */
 		take_out(list, i, entry, slot);
+	else
+		list->sums[i] = TS_SUMS_STALE;
 }
 
 void ts_touching_sums_change(const struct ts_contact_list *list, const struct ts_active_pair *pair,
