@@ -926,6 +926,8 @@ library_sources = \
 	src/manual/manual.h \
 	src/manual/manual_search.c \
 	src/manual/page_text.h \
+	src/manual/search_entries.c \
+	src/manual/search_entries.h \
 	src/manual/search_query.c \
 	src/manual/search_query.h \
 	src/manual/search_text.c \

@@ -78,7 +78,15 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	  "cell_size_relative C parallel no` averages over a regular grid, `compute ID GROUP reduce/region "
 	  "REGION ave vx vy vz` over a region" },
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
+	{ TS_KIND_FIX, "deposit",
+	  "write `fix ID GROUP insert/stream` (through a face of a mesh) or `fix ID GROUP "
+	  "insert/rate/region` (in a "
+	  "region), with fix particletemplate/sphere and fix particledistribution/discrete" },
 	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
+	{ TS_KIND_FIX, "indent",
+	  "write `fix M all mesh/surface primitive sphere radius R type T` and `fix W all wall/gran ... mesh "
+	  "n_meshes 1 meshes M`; fix move/mesh moves it, fix mesh/surface/stress/servo presses it with a "
+	  "force" },
 	{ TS_KIND_FIX, "insert/pack/face", RESOLUTION },
 	{ TS_KIND_FIX, "mesh/surface/stress/6dof",
 	  "write `fix M all mesh/surface/stress file FILE type T` and `fix ID all move/mesh/free mesh M "

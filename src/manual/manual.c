@@ -169,21 +169,43 @@ static void add_word(const struct ts_tables *tables, const char *name, struct ts
 		add_similar(tables, name, out, message);
 }
 
+/* Whether the first word is hardly said of anything but a style: "fix indent", not "flow rate". */
+static bool is_kind_only(const char *word, enum ts_kind kind)
+{
+	return kind == TS_KIND_FIX || kind == TS_KIND_COMPUTE || ts_ends_with(word, "_style");
+}
+
+/* There is no such style: what the manual has about the word of its name. */
+static bool add_pages_about(const struct ts_tables *tables, const char *name, struct ts_str *out)
+{
+	struct ts_str hits = { 0 };
+
+	size_t pages = ts_manual_search(tables, name, &hits);
+
+	if (pages)
+		ts_str_addf(out, "; %s", ts_str_text(&hits));
+	ts_str_release(&hits);
+	return pages > 0;
+}
+
 /* For "KIND NAME": true if it is such a name, or a misspelled one; otherwise it may be a phrase. */
 static bool find_style(const struct ts_tables *tables, const char *words, struct ts_str *out, bool *found)
 {
 	const char *blank = strchr(words, ' ');
 	struct ts_str first = { 0 };
 	enum ts_kind kind;
-	bool style;
+	bool style, only;
 
 	ts_str_add_n(&first, words, blank ? (size_t)(blank - words) : 0);
 	style = blank && find_kind(ts_str_text(&first), &kind) && !strchr(blank + 1, ' ');
+	only = style && is_kind_only(ts_str_text(&first), kind);
 	ts_str_release(&first);
 	if (!style)
 		return false;
 	*found = add_style_page(tables, blank + 1, kind, out);
-	return *found || strstr(ts_str_text(out), "did you mean");
+	if (!*found && only && !strstr(ts_str_text(out), "did you mean"))
+		*found = add_pages_about(tables, blank + 1, out);
+	return *found || only || strstr(ts_str_text(out), "did you mean");
 }
 
 bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts_str *out)

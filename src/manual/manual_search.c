@@ -1,23 +1,26 @@
 /* Search for passages of the manual, of the pages in doc/ and of the examples. A passage is ranked by the words it has:
  * rare words count more, more occurrences more with diminishing effect, and less in a long passage (BM25: S. Robertson,
  * H. Zaragoza, Found. Trends Inf. Retr. 3 (2009) 333, eq. 3.15); words in the title of the page and in the heading count,
- * too. Each page is shown once, with its best passage. */
+ * too, and words that stand together. Pages that the list of tasks or the glossary names for the words come first. Each page is
+ * shown once, with its best passage. */
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/sort.h"
 #include "manual/manual.h"
+#include "manual/search_entries.h"
 #include "manual/search_query.h"
 #include "manual/search_text.h"
 
 #include "base/banned.h"
 
 enum { SHOWN = 8, WIDTH = 76, LINES = 3 };
-/* Parameters of BM25, and the weights of title, heading, whole phrase, lines of examples, and of further passages
- * of the page. */
+/* Parameters of BM25, and the weights of title, heading, whole phrase, neighbouring words, lines of examples, of further
+ * passages of the page, and of tasks and terms. */
 static const double saturation = 1.2, length_part = 0.75, in_title = 1.6, in_heading = 0.8,
-		    phrase_factor = 1.3, example_factor = 0.5, page_factor = 0.3;
+		    phrase_factor = 1.3, near_factor = 0.5, example_factor = 0.5, page_factor = 0.3,
+		    entry_factor = 12, title_phrase_factor = 1.5;
 
 struct hit {
 	double score;	      /* of its best passage */
@@ -44,6 +47,16 @@ static bool title_has(const struct search *s, size_t page, size_t k)
 	const struct ts_str *title = &s->text.page[page].title;
 
 	return ts_query_count(&s->query, k, ts_str_text(title), title->length) > 0;
+}
+
+/* Sum of the rarities of the words that the title has. */
+static double title_rarity(const struct search *s, size_t page)
+{
+	double sum = 0;
+
+	for (size_t k = 0; k < s->query.n; k++)
+		sum += title_has(s, page, k) ? s->rarity[k] : 0;
+	return sum;
 }
 
 /* Rarity of each word: log(1 + (N - n + 1/2) / (n + 1/2)), n of N passages having it; 0 if none has it. */
@@ -73,6 +86,7 @@ static double score_of(const struct search *s, const struct ts_search_passage *p
 	double score = 0, found = 0,
 	       norm = 1 - length_part + length_part * fmax((double)p->length / s->mean_length, 1);
 	struct ts_str heading = { 0 };
+	double title_part = title_rarity(s, p->page) / fmax(s->total, 1e-300);
 	bool any = false;
 
 	ts_query_small_letters(p->heading, &heading);
@@ -82,7 +96,7 @@ static double score_of(const struct search *s, const struct ts_search_passage *p
 		bool head = ts_query_count(&s->query, k, ts_str_text(&heading), heading.length) > 0;
 
 		score += s->rarity[k] * (count * (1 + saturation) / (count + saturation * norm) +
-					 in_title * title + in_heading * head);
+					 in_title * title * title_part + in_heading * head);
 		found += count > 0 || title || head ? s->rarity[k] : 0;
 		any |= count > 0;
 	}
@@ -91,6 +105,7 @@ static double score_of(const struct search *s, const struct ts_search_passage *p
 		return 0;
 	if (s->query.n > 1 && memmem(text, p->length, s->query.phrase.text, s->query.phrase.length))
 		score *= phrase_factor;
+	score *= 1 + near_factor * ts_query_near(&s->query, text, p->length);
 	return score * (p->example ? example_factor : 1) * found * found / (s->total * s->total);
 }
 
@@ -103,25 +118,37 @@ static int compare_hits(const void *a, const void *b)
 	return p->page < q->page ? -1 : p->page > q->page;
 }
 
-/* The best passage of each page. */
+/* The best passage of each page; its first one if only a task or a term names the page. */
 static void find_hits(struct search *s)
 {
+	size_t n = 0;
+
 	for (size_t p = 0; p < s->text.passages; p++) {
 		const struct ts_search_passage *q = &s->text.passage[p];
+		struct hit *hit = &s->hits[q->page];
 		double score = score_of(s, q);
-		struct hit *last = s->n ? &s->hits[s->n - 1] : NULL;
 
-		if (score <= 0)
-			continue;
-		if (!last || last->page != q->page)
-			s->hits[s->n++] = (struct hit){ score, q->page, p, 1 };
-		else if (score > last->score)
-			*last = (struct hit){ score, q->page, p, last->n + 1 };
-		else
-			last->n++;
+		if (!hit->n || score > hit->score) {
+			hit->passage = p;
+			hit->score = score;
+		}
+		hit->page = q->page;
+		hit->n += score > 0 || !hit->n;
 	}
-	for (size_t k = 0; k < s->n; k++)
-		s->hits[k].score *= 1 + page_factor * log((double)s->hits[k].n);
+	for (size_t k = 0; k < s->text.pages; k++) {
+		const struct ts_str *title = &s->text.page[k].title;
+		struct hit hit = s->hits[k];
+
+		hit.score *= 1 + page_factor * log(fmax((double)hit.n, 1));
+		hit.score +=
+			entry_factor * s->total * ts_search_entry_value(&s->text, &s->query, s->rarity, k);
+		if (s->query.n > 1 &&
+		    memmem(ts_str_text(title), title->length, s->query.phrase.text, s->query.phrase.length))
+			hit.score *= title_phrase_factor;
+		if (hit.n && hit.score > 0)
+			s->hits[n++] = hit;
+	}
+	s->n = n;
 	ts_sort(s->hits, s->n, sizeof *s->hits, compare_hits);
 }
 
@@ -184,8 +211,9 @@ static void add_hits(const struct search *s, const char *words, struct ts_str *o
 		ts_str_addf(out, "\nand %zu further pages that fit less\n", s->n - SHOWN);
 }
 
-/* Suggests a word of the text for one that is not in it. */
-static void add_suggestion(const struct search *s, const char *word, struct ts_str *out)
+/* A message about a word that is not in the text, with one that is. Returns whether that differs by a letter only: the word
+ * is misspelled. */
+static bool add_suggestion(const struct search *s, const char *word, struct ts_str *out)
 {
 	struct ts_suggest suggest = ts_suggest_start(word);
 	struct ts_str candidate = { 0 }, best = { 0 };
@@ -213,33 +241,46 @@ static void add_suggestion(const struct search *s, const char *word, struct ts_s
 		ts_str_addf(out, "; did you mean '%s'?", suggest.best);
 	ts_str_release(&candidate);
 	ts_str_release(&best);
+	return suggest.best && suggest.distance <= 1;
+}
+
+/* Messages about words that no page has; the others are searched for unless one is misspelled. */
+static bool add_unknown(const struct search *s, struct ts_str *out)
+{
+	bool misspelled = false;
+
+	for (size_t k = 0; k < s->query.n; k++) {
+		if (s->rarity[k] > 0)
+			continue;
+		ts_str_add(out, out->length ? "\n" : "");
+		misspelled |= add_suggestion(s, ts_str_text(&s->query.word[k]), out);
+	}
+	return misspelled;
 }
 
 size_t ts_manual_search(const struct ts_tables *tables, const char *words, struct ts_str *out)
 {
 	struct search s = { 0 };
-	const char *unknown = NULL;
-	size_t found;
+	struct ts_str unknown = { 0 };
 
 	ts_query_make(&s.query, words);
 	ts_search_text_make(tables, &s.text);
 	s.hits = ts_alloc(s.text.pages, sizeof *s.hits);
 	if (!s.text.failed && s.hits) {
 		find_rarities(&s);
-		for (size_t k = 0; k < s.query.n && !unknown; k++)
-			unknown = s.rarity[k] > 0 ? NULL : ts_str_text(&s.query.word[k]);
-		if (!unknown)
+		if (!add_unknown(&s, &unknown))
 			find_hits(&s);
 	}
-	found = s.n;
-	if (found)
+	ts_str_add(out, ts_str_text(&unknown));
+	if (s.n)
+		ts_str_add(out, unknown.length ? "\n\n" : "");
+	if (s.n)
 		add_hits(&s, words, out);
-	else if (unknown)
-		add_suggestion(&s, unknown, out);
-	else
+	else if (!unknown.length)
 		ts_str_addf(out, "'%s' has no words to search for", words);
+	ts_str_release(&unknown);
 	ts_free(s.hits);
 	ts_search_text_release(&s.text);
 	ts_query_release(&s.query);
-	return found;
+	return s.n;
 }

@@ -22,6 +22,11 @@ void ts_query_release(struct ts_query *query);
 /* Weighted number of times that word k begins a word of the text, which is in small letters. */
 double ts_query_count(const struct ts_query *query, size_t k, const char *text, size_t length);
 
+/* Which part of the pairs of successive words stand within some letters of each other, 0 to 1. */
+double ts_query_near(const struct ts_query *query, const char *text, size_t length);
+/* The word of the query that this one is, by its stem or its synonym, or query->n; stop is set if it says nothing. */
+size_t ts_query_find(const struct ts_query *query, const char *word, bool *stop);
+
 /* Appends the text in small letters. */
 void ts_query_small_letters(const char *text, struct ts_str *out);
 
