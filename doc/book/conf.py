@@ -56,6 +56,17 @@ def fonts():
             r"\setmonofont[Scale=0.85]{DejaVu Sans Mono}")
 
 
+def braille():
+    """Curves of `tsim -plot` on the terminal: DejaVu Sans has these signs, the font of equal widths has not."""
+    if not fonts():
+        return ""
+    signs = "".join(rf"\newunicodechar{{{chr(n)}}}{{\braille{{{n:04X}}}}}" for n in range(0x2800, 0x2900))
+    return (r"\usepackage{newunicodechar}\newfontfamily\braillefont[Scale=0.7]{DejaVu Sans}\newlength\braillewidth"
+            r"\newcommand\braille[1]{\settowidth\braillewidth{0}\hbox to\braillewidth{\hss\braillefont\char"
+            '"#1'
+            r"\hss}}" + signs)
+
+
 latex_engine = "xelatex"
 latex_use_xindy = False
 latex_documents = [("index", "tsim.tex", "tsim: the book", author.replace("&", "and"), "manual")]
@@ -64,7 +75,7 @@ latex_elements = {
     "papersize": "a4paper", "pointsize": "10pt", "figure_align": "H", "extraclassoptions": "openany,oneside",
     "fontpkg": fonts(),
     "preamble": r"\setcounter{tocdepth}{1}\sloppy\usepackage{enumitem}\setlistdepth{9}\renewlist{itemize}{itemize}{9}"
-                r"\setlist[itemize]{label=\textbullet}",
+                r"\setlist[itemize]{label=\textbullet}" + braille(),
 }
 
 # ---- contents, links and index: the text before Sphinx reads it
@@ -258,11 +269,29 @@ def pictures_for_latex(app, tree):
         image["candidates"] = {"*": image["uri"]}
 
 
+# ---- long tables of the PDF: columns as wide as their texts need, within the page
+
+def tables_for_latex(app, tree):
+    from docutils import nodes
+    if app.builder.format != "latex":
+        return
+    for table in tree.findall(nodes.table):
+        rows = [[len(entry.astext()) for entry in row.children] for row in table.findall(nodes.row)]
+        if len(rows) <= 30:
+            continue
+        columns = list(table.findall(nodes.colspec))
+        for k, column in enumerate(columns):
+            longest = max(row[k] for row in rows if k < len(row))
+            column["colwidth"] = min(max(longest, 6), 60)
+        table["classes"].append("colwidths-given")
+
+
 def setup(app):
     app.names = Names(app.srcdir)
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_display, None))
     app.connect("source-read", before_reading)
     app.connect("doctree-read", pictures_for_latex)
+    app.connect("doctree-read", tables_for_latex)
     app.connect("doctree-resolved", formulas_of_page)
 
 

@@ -27,13 +27,14 @@ extern const char *const ts_reduction_names[]; /* for argument tables, NULL-term
 
 struct ts_reduction {
 	struct ts_exactsum sum, squares; /* squares: of STD only */
+	struct ts_exactsum large;	 /* squares of values whose squares could overflow, scaled */
 	double min, max;
-	size_t n;
+	size_t n, nlarge;
 };
 
 static inline struct ts_reduction ts_reduction_start(void)
 {
-	return (struct ts_reduction){ ts_exactsum_start(), ts_exactsum_start(), INFINITY, -INFINITY, 0 };
+	return (struct ts_reduction){ .min = INFINITY, .max = -INFINITY };
 }
 
 void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, double value);

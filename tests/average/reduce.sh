@@ -68,4 +68,15 @@ print \"is empty \$(c_std[2]) 0\"
 print \"is chunk \$(c_std[1]:%.17g) \$(sqrt(26/3):%.17g)\""
 done
 
+# values whose squares are beyond the range of numbers, alone and beside small ones
+agree 'standard deviation of large values' 'variable far index 0
+include in.begin
+set atom 1 vx 1e200
+set atom 2 vx 3e200
+set atom 3 vx 5e200
+print "is large $(c_s[2]/1e200:%.14g) $(sqrt(8/3):%.14g)"
+set atom 2 vx 3e20
+set atom 3 vx -1e200
+print "is mixed $(c_s[2]/1e200:%.14g) $(sqrt(2/3):%.14g)"'
+
 finish
