@@ -207,7 +207,7 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	return TS_OK;
 }
 
-const struct ts_carrier ts_bonds_carrier = { give, take };
+const struct ts_carrier ts_bonds_carrier = { .give = give, .take = take };
 
 /* ---- numbers and events of all ranks */
 

@@ -137,7 +137,7 @@ enum ts_status ts_rigid_claim(struct ts_instance *self, struct tsim *sim, const 
 	return TS_OK;
 }
 
-const struct ts_carrier ts_rigid_carrier = { give, take };
+const struct ts_carrier ts_rigid_carrier = { .give = give, .take = take };
 
 /* ---- all bodies */
 
