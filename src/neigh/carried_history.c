@@ -142,4 +142,4 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	return TS_OK;
 }
 
-const struct ts_carrier ts_carried_history = { give, take, turn };
+const struct ts_carrier ts_carried_history = { .give = give, .take = take, .turn = turn };

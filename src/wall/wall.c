@@ -524,7 +524,7 @@ static enum ts_status take_contacts(struct ts_instance *self, struct tsim *sim, 
 	return ts_wall_contacts_take(sim, &((struct ts_wall *)self->state)->contacts, rows);
 }
 
-const struct ts_carrier ts_wall_carrier = { give_contacts, take_contacts, NULL };
+const struct ts_carrier ts_wall_carrier = { .give = give_contacts, .take = take_contacts };
 
 void ts_wall_fini(struct ts_instance *self)
 {
