@@ -17,6 +17,8 @@ struct ts_sheet_reader {
 	struct ts_error *err;
 	struct ts_pool *pool;
 	struct ts_lines lines; /* not of comma-separated values */
+	const char *word; /* of the second line, which has as many as the first, and is no number; or NULL */
+	size_t column;	  /* where it stands, from 1 */
 };
 
 /* Adds a name, copied. */

@@ -25,6 +25,34 @@ static size_t count_commas(const struct ts_lines *l)
 	return n;
 }
 
+/* Keeps the first word of the second line that is no number, for the message. */
+static void keep_word(struct ts_sheet_reader *r)
+{
+	const struct ts_lines *l = &r->lines;
+	double number;
+
+	for (size_t k = 0; k < l->nwords && !r->word; k++)
+		if (!ts_sheet_number(l->word[k], &number)) {
+			r->word = ts_pool_get(r->pool, l->word[k]);
+			r->column = k + 1;
+		}
+}
+
+static enum ts_status no_table(const struct ts_sheet_reader *r)
+{
+	struct ts_str about = { 0 };
+	enum ts_status status;
+
+	if (r->word)
+		ts_str_addf(&about, "the second line has the word '%s' in column %zu; ", r->word, r->column);
+	status = ts_fail(r->err, TS_SYNTAX, NULL,
+			 "'%s' has no table: %sexpected a log, rows of numbers with names in a comment "
+			 "above, or comma-separated values with names in the first line",
+			 r->sheets->path, ts_str_text(&about));
+	ts_str_release(&about);
+	return status;
+}
+
 static enum ts_status look(struct ts_sheet_reader *r, struct beginning *b)
 {
 	struct ts_lines *l = &r->lines;
@@ -45,6 +73,8 @@ static enum ts_status look(struct ts_sheet_reader *r, struct beginning *b)
 		b->words[b->lines] = l->nwords;
 		b->commas[b->lines] = count_commas(l);
 		b->row[b->lines++] = ts_sheet_is_row(l);
+		if (b->lines == 2 && l->nwords > 1 && l->nwords == b->words[0])
+			keep_word(r);
 	}
 	return TS_OK;
 }
@@ -99,9 +129,5 @@ enum ts_status ts_sheets_read(struct ts_sheets *t, struct ts_files *files, struc
 	TS_TRY(read_kind(&r));
 	for (size_t k = 0; k < t->n; k++)
 		rows += t->sheet[k].rows;
-	return rows ? TS_OK
-		    : ts_fail(err, TS_SYNTAX, NULL,
-			      "'%s' has no table: expected a log, rows of numbers with names in a comment "
-			      "above, or comma-separated values with names in the first line",
-			      path);
+	return rows ? TS_OK : no_table(&r);
 }

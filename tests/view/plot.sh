@@ -222,6 +222,8 @@ fails 'no file' 1 "cannot open 'none'" -plot none
 fails 'no table' 1 "'in.fall' has no table" -plot in.fall
 : >empty
 fails 'empty' 1 "'empty' has no table" -plot empty
+printf 'name a b\nsteel 1 2\nglass 3 4\n' >words
+fails 'a word in column 1' 1 "'words' has no table: the second line has the word 'steel' in column 1" -plot words a
 printf '# a b\n1 2\n3\n4 5\n' >short
 fails 'short row' 1 'short:3: error: the row has 1 words, expected 2 as the table' -plot short
 printf 'a,b\n1,2\n3\n' >short.csv
