@@ -220,6 +220,8 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 	struct ts_rigid *r = sim->rigid;
 	size_t n = listed_particles(sim);
 
+	if (!r->n)
+		r->ordered = 0;
 	if (!r->n || r->generation == sim->generation)
 		return TS_OK;
 	if (sim->division)

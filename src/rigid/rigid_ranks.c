@@ -191,6 +191,16 @@ struct count {
 	int32_t id, members;
 };
 
+/* Members among the particles of this rank: copies of others are listed where this rank has not lost or got a particle. */
+static int32_t own_members(const struct tsim *sim, const struct ts_rigid *r, size_t b)
+{
+	int32_t n = 0;
+
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+		n += (size_t)r->member[k] < sim->particles->n;
+	return n;
+}
+
 /* Counts of the bodies that are not complete on their rank. */
 static enum ts_status share_counts(struct tsim *sim, struct ts_parcel *all)
 {
@@ -199,7 +209,7 @@ static enum ts_status share_counts(struct tsim *sim, struct ts_parcel *all)
 	enum ts_status status = TS_OK;
 
 	for (size_t b = 0; b < r->n && status == TS_OK; b++) {
-		struct count c = { r->id[b], (int32_t)(r->start[b + 1] - r->start[b]) };
+		struct count c = { r->id[b], own_members(sim, r, b) };
 
 		if (c.members < r->size[b])
 			status = ts_parcel_add(&mine, &c, sizeof c);
@@ -244,7 +254,8 @@ static enum ts_status delete_bodies(struct tsim *sim, const unsigned char *torn)
 		return ts_nomem(&sim->error);
 	for (size_t b = 0; b < r->n; b++)
 		for (size_t k = r->start[b]; torn[b] && k < r->start[b + 1]; k++)
-			gone[r->member[k]] = 1;
+			if ((size_t)r->member[k] < sim->particles->n)
+				gone[r->member[k]] = 1;
 	ts_rigid_drop(sim, torn);
 	status = ts_particles_delete(sim, gone);
 	ts_free(gone);

@@ -119,6 +119,33 @@ function bonds(   modulus) {
 	bonded = " bonds brokenbonds"
 }
 
+# Conduction of heat through contacts; the left half is warmer.
+function heat() {
+	if (!liggghts || !chance(4)) return
+	print "fix k1 all property/global thermalConductivity peratomtype" repeated(5 * kilogram * metre, types)
+	print "fix k2 all property/global thermalCapacity peratomtype" repeated(10 * metre ^ 2, types)
+	print "fix warmth all heat/gran initial_temperature 300"
+	print "region warm block INF " len(middle("x")) " INF INF INF INF units box"
+	once("run 0")
+	once("set region warm property/atom Temp 400")
+	temperatures = " f_Temp f_heatFlux"
+	warmth = " f_warmth"
+}
+
+# Rigid bodies: a few layers of grains, each a body.
+function bodies(   k, n) {
+	if (bonded || !chance(4)) return
+	n = whole(1, 3)
+	for (k = 1; k <= n; k++) {
+		print "region layer" k " block INF INF INF INF " two(low["z"] + 2 * k, low["z"] + 2 * k + 1.1) " units box"
+		once("group body" k " region layer" k)
+		names = names " body" k
+	}
+	once("group free subtract all" names)
+	print "fix bodies all rigid group " n names
+	moved = "free"
+}
+
 # Walls at faces that are not periodic; one in five is open.
 function plane_walls(   names, k, a, shear) {
 	split("x y z", names, " ")
@@ -157,7 +184,7 @@ function motion_and_forces() {
 	print "region part block " pick("INF " len(middle("x"))) " INF INF INF INF " len(middle("z")) " units box"
 	once("group part region part")
 	once("group odd id 1:100000:2")
-	print "fix move all " pick("nve/sphere nve/sphere nve/sphere nve/symplectic")
+	print "fix move " (moved ? moved : "all") " " pick("nve/sphere nve/sphere nve/sphere nve/symplectic")
 	print "fix down all gravity " 9.81 / scale * metre " vector " pick("0 1 -1") " 0 -1"
 	if (chance(4)) print "fix push " pick("all part odd") " addforce 0 " 1e-4 * scale ^ 2 * kilogram * metre " 0" (chance(2) ? " region part" : "")
 	if (chance(5)) print "fix slow odd damping/cundall 0.1 0.1"
@@ -190,7 +217,7 @@ function insertion(   at) {
 function outputs(   columns) {
 	print "compute er all erotate/sphere"
 	print "compute top all reduce max z vx"
-	columns = "step atoms ke c_er c_top[1] nbuild" wall_forces bonded
+	columns = "step atoms ke c_er c_top[1] nbuild" wall_forces bonded warmth
 	if (chance(2)) { print "compute touch all contact/atom"; print "compute most all reduce sum c_touch"; columns = columns " c_most" }
 	if (chance(2)) { print "compute msd part msd com yes"; columns = columns " c_msd[4]" }
 	if (chance(3)) columns = columns " press pxx pyz"
@@ -210,7 +237,7 @@ function outputs(   columns) {
 	print "thermo " whole(20, 60)
 	print "thermo_modify format float %.17g lost ignore"
 	print "dump grains " pick("all all part odd") " custom " whole(60, 120) \
-		" ${out}.dump id type x y z ix iy iz vx vy vz omegax omegay omegaz fx fy fz tqx tqz radius"
+		" ${out}.dump id type x y z ix iy iz vx vy vz omegax omegay omegaz fx fy fz tqx tqz radius" temperatures
 	print "dump_modify grains format float %.17g sort id"
 }
 
@@ -232,6 +259,8 @@ BEGIN {
 	bonds()
 	plane_walls()
 	mesh_wall()
+	heat()
+	bodies()
 	motion_and_forces()
 	insertion()
 	outputs()
