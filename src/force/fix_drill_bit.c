@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "core/report.h"
 #include "math/constants.h"
 #include "particle/identity.h"
@@ -119,7 +120,7 @@ static void look_at_cutters(const struct tsim *sim, struct bit *b)
 		for (int d = 0; d < 3; d++)
 			b->all.f[k][d] = i < 0 ? -INFINITY : p->f[i][d];
 	}
-	ts_rank_sums_most(sim, (double *)&b->all, sizeof b->all / sizeof(double));
+	ts_ranks_most_of(sim, (double *)&b->all, sizeof b->all / sizeof(double));
 }
 
 static double mean_height(const struct bit *b)

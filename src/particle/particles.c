@@ -196,17 +196,40 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_archive_writing(a) ? TS_OK : check_particles(sim, p);
 }
 
+static bool has_state(const struct ts_particles *p, size_t k)
+{
+	return p->column[k].active && !(p->column[k].flags & TS_COL_RESULT) && p->n;
+}
+
+static void hash_column(const struct ts_particles *p, size_t k, struct ts_hash *hash)
+{
+	const struct ts_column *c = &p->column[k];
+
+	ts_hash_add(hash, c->data, p->n * c->width * c->element);
+}
+
+/* Columns of styles are added in the order in which these are defined, which is another one after read_restart. */
 static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_particles *p = self->state;
+	uint64_t sum = 0;
 
 	(void)sim;
 	ts_hash_add(hash, &p->n, sizeof p->n);
 	ts_materials_fingerprint(&p->materials, hash);
-	for (size_t k = 0; k < p->ncolumns; k++)
-		if (p->column[k].active && !(p->column[k].flags & TS_COL_RESULT) && p->n)
-			ts_hash_add(hash, p->column[k].data,
-				    p->n * p->column[k].width * p->column[k].element);
+	for (size_t k = 0; k < TS_NCOLUMN_BUILTIN; k++)
+		if (has_state(p, k))
+			hash_column(p, k, hash);
+	for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++) {
+		struct ts_hash own = ts_hash_start();
+
+		if (!has_state(p, k))
+			continue;
+		ts_hash_text(&own, p->column[k].name);
+		hash_column(p, k, &own);
+		sum += ts_hash_value(&own);
+	}
+	ts_hash_add(hash, &sum, sizeof sum);
 }
 
 /* Only fix enforce2d keeps particles in the plane, so a script may have forgotten it. */

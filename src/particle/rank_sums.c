@@ -31,12 +31,6 @@ enum ts_status ts_rank_sums(struct tsim *sim, const double *data, size_t n, size
 	return TS_OK;
 }
 
-void ts_rank_sums_most(const struct tsim *sim, double *value, size_t n)
-{
-	if (sim->division)
-		ts_world_most(sim->world, value, n);
-}
-
 void ts_rank_sums_count(const struct tsim *sim, int64_t *number)
 {
 	if (sim->division)

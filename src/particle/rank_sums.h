@@ -16,8 +16,7 @@ enum ts_status ts_rank_sums(struct tsim *sim, const double *data, size_t n, size
  * width <= TS_RANK_SUMS_MOST. */
 void ts_rank_sums_merge(const struct tsim *sim, struct ts_exactsum *part, size_t width);
 
-/* While the particles are divided: value[k] becomes the largest, *number the sum, of those of all ranks. */
-void ts_rank_sums_most(const struct tsim *sim, double *value, size_t n);
+/* While the particles are divided: *number becomes the sum of those of all ranks. */
 void ts_rank_sums_count(const struct tsim *sim, int64_t *number);
 
 #endif
