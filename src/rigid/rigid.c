@@ -171,19 +171,13 @@ static size_t listed_particles(const struct tsim *sim)
 	return p->n + (p->nghost ? ts_copies(sim) : 0);
 }
 
-/* The index of the body of particle i, or r->n. */
-static size_t body_index(const struct ts_particles *p, const struct ts_rigid *r, size_t i)
-{
-	return p->body[i] ? ts_rigid_find(r, p->body[i]) : r->n;
-}
-
 /* Counts the members of each body, in start[b + 2], and lists bodies in the order of their first members. */
 static void count_members(const struct ts_particles *p, size_t n, struct ts_rigid *r)
 {
 	r->ordered = 0;
 	memset(r->start, 0, (r->n + 2) * sizeof *r->start);
 	for (size_t i = 0; i < n; i++) {
-		size_t b = body_index(p, r, i);
+		size_t b = ts_rigid_index(r, p, i);
 
 		if (b < r->n && !r->start[b + 2]++)
 			r->order[r->ordered++] = (int32_t)b;
@@ -201,7 +195,7 @@ static enum ts_status keep_own_bodies(struct tsim *sim)
 	if (!own)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < p->n; i++) {
-		size_t b = body_index(p, r, i);
+		size_t b = ts_rigid_index(r, p, i);
 
 		if (b < r->n)
 			own[b] = 1;
@@ -234,7 +228,7 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 	for (size_t b = 2; b <= r->n; b++)
 		r->start[b] += r->start[b - 1];
 	for (size_t i = 0; i < n; i++) {
-		size_t b = body_index(p, r, i);
+		size_t b = ts_rigid_index(r, p, i);
 
 		if (b < r->n)
 			r->member[r->start[b + 1]++] = (int32_t)i;
@@ -266,28 +260,42 @@ enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3
 	return TS_OK;
 }
 
+enum ts_status ts_rigid_delete(struct tsim *sim, const unsigned char *torn)
+{
+	const struct ts_rigid *r = sim->rigid;
+	size_t n = sim->particles->n;
+	unsigned char *gone = ts_alloc(n, 1);
+	enum ts_status status;
+
+	if (!gone)
+		return ts_nomem(&sim->error);
+	for (size_t b = 0; b < r->n; b++)
+		for (size_t k = r->start[b]; torn[b] && k < r->start[b + 1]; k++)
+			if ((size_t)r->member[k] < n)
+				gone[r->member[k]] = 1;
+	ts_rigid_drop(sim, torn);
+	status = ts_particles_delete(sim, gone);
+	ts_free(gone);
+	return status == TS_OK ? ts_rigid_list(sim) : status;
+}
+
 enum ts_status ts_rigid_drop_incomplete(struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
-	struct ts_rigid *r = sim->rigid;
-	unsigned char *gone = ts_alloc(p->n + r->n, 1), *torn = gone ? gone + p->n : NULL;
+	const struct ts_rigid *r = sim->rigid;
+	unsigned char *torn = ts_alloc(r->n, 1);
 	bool any = false;
 	enum ts_status status = TS_OK;
 
-	if (!gone)
+	if (!torn)
 		return ts_nomem(&sim->error);
 	for (size_t b = 0; b < r->n; b++) {
 		torn[b] = r->start[b + 1] - r->start[b] < (size_t)r->size[b];
 		any |= torn[b];
-		for (size_t k = r->start[b]; torn[b] && k < r->start[b + 1]; k++)
-			gone[r->member[k]] = 1;
 	}
-	if (any) {
-		ts_rigid_drop(sim, torn);
-		status = ts_particles_delete(sim, gone);
-	}
-	ts_free(gone);
-	return status == TS_OK && any ? ts_rigid_list(sim) : status;
+	if (any)
+		status = ts_rigid_delete(sim, torn);
+	ts_free(torn);
+	return status;
 }
 
 bool ts_rigid_owner_lives(const struct tsim *sim, int64_t owner)

@@ -92,8 +92,15 @@ extern const struct ts_carrier ts_rigid_carrier;
 enum ts_status ts_rigid_reserve(struct tsim *sim, size_t n);
 /* Removes the flagged bodies; their members become independent particles. The members must be listed. */
 void ts_rigid_drop(struct tsim *sim, const unsigned char *gone);
+/* Deletes the flagged bodies with those of their members that are particles of this rank. The members must be listed. */
+enum ts_status ts_rigid_delete(struct tsim *sim, const unsigned char *torn);
 /* Index of the body with this id, or r->n. */
 size_t ts_rigid_find(const struct ts_rigid *r, int32_t id);
+/* Index of the body of particle i, or r->n; there are bodies. */
+static inline size_t ts_rigid_index(const struct ts_rigid *r, const struct ts_particles *p, size_t i)
+{
+	return p->body[i] ? ts_rigid_find(r, p->body[i]) : r->n;
+}
 
 /* Whether particle i is in a body; and whether a and b are in the same one. */
 static inline bool ts_rigid_member(const struct ts_particles *p, size_t i)

@@ -39,7 +39,7 @@ static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool resu
 
 	out->bytes = sizeof(struct row);
 	for (size_t i = 0; !results && r->n && i < p->n; i++) {
-		size_t b = p->body[i] ? ts_rigid_find(r, p->body[i]) : r->n;
+		size_t b = ts_rigid_index(r, p, i);
 		unsigned char *to;
 		struct row row;
 
@@ -121,7 +121,7 @@ enum ts_status ts_rigid_claim(struct ts_instance *self, struct tsim *sim, const 
 	if (!own)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < p->n + copies->n; i++) {
-		size_t b = p->body[i] ? ts_rigid_find(r, p->body[i]) : r->n;
+		size_t b = ts_rigid_index(r, p, i);
 
 		if (b == r->n)
 			continue;
@@ -244,24 +244,6 @@ static bool find_torn(const struct ts_rigid *r, const struct ts_parcel *counts, 
 	return any;
 }
 
-static enum ts_status delete_bodies(struct tsim *sim, const unsigned char *torn)
-{
-	const struct ts_rigid *r = sim->rigid;
-	unsigned char *gone = ts_alloc(sim->particles->n, 1);
-	enum ts_status status;
-
-	if (!gone)
-		return ts_nomem(&sim->error);
-	for (size_t b = 0; b < r->n; b++)
-		for (size_t k = r->start[b]; torn[b] && k < r->start[b + 1]; k++)
-			if ((size_t)r->member[k] < sim->particles->n)
-				gone[r->member[k]] = 1;
-	ts_rigid_drop(sim, torn);
-	status = ts_particles_delete(sim, gone);
-	ts_free(gone);
-	return status;
-}
-
 static enum ts_status drop_torn(struct tsim *sim)
 {
 	struct ts_rigid *r = sim->rigid;
@@ -273,7 +255,7 @@ static enum ts_status drop_torn(struct tsim *sim)
 	if (status != TS_OK)
 		status = ts_nomem(&sim->error);
 	else if (find_torn(r, &counts, members, torn))
-		status = delete_bodies(sim, torn);
+		status = ts_rigid_delete(sim, torn);
 	ts_parcel_release(&counts);
 	ts_free(members);
 	ts_free(torn);
@@ -288,10 +270,8 @@ enum ts_status ts_rigid_exchange_own(struct tsim *sim)
 	if (!p->body)
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
-	if (r->lost != p->lost) {
+	if (r->lost != p->lost)
 		TS_TRY(drop_torn(sim));
-		TS_TRY(ts_rigid_list(sim));
-	}
 	r->lost = p->lost;
 	if (r->n)
 		TS_TRY(r->check_members(sim, r->member, r->start[r->n]));
