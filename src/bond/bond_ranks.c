@@ -291,16 +291,16 @@ enum ts_status ts_bonds_join(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_bonds *b = self->state;
 	struct ts_bond_ranks *r = &b->ranks;
-	int64_t broken = b->broken - r->broken, all = 0;
+	enum { ALL, BROKEN, NUMBERS };
+	int64_t number[NUMBERS] = { [BROKEN] = b->broken - r->broken };
 
 	if (!r->divided)
 		return TS_OK;
 	for (size_t k = 0; k < b->n; k++)
-		all += (size_t)b->row[k][0] < sim->particles->n;
-	ts_world_sum(sim->world, &all);
-	ts_world_sum(sim->world, &broken);
-	b->broken = r->broken += broken;
-	b->gone += r->all - all - broken;
-	r->all = all;
-	return broken ? join_events(sim, b) : TS_OK;
+		number[ALL] += (size_t)b->row[k][0] < sim->particles->n;
+	ts_world_sums(sim->world, number, NUMBERS);
+	b->broken = r->broken += number[BROKEN];
+	b->gone += r->all - number[ALL] - number[BROKEN];
+	r->all = number[ALL];
+	return number[BROKEN] ? join_events(sim, b) : TS_OK;
 }

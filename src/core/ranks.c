@@ -4,17 +4,16 @@
 
 #include "base/banned.h"
 
-double ts_ranks_most(const struct tsim *sim, double value)
-{
-	if (sim->division)
-		ts_world_most(sim->world, &value, 1);
-	return value;
-}
-
 void ts_ranks_most_of(const struct tsim *sim, double *value, size_t n)
 {
 	if (sim->division)
 		ts_world_most(sim->world, value, n);
+}
+
+double ts_ranks_most(const struct tsim *sim, double value)
+{
+	ts_ranks_most_of(sim, &value, 1);
+	return value;
 }
 
 double ts_ranks_same(const struct tsim *sim, double value)
