@@ -22,9 +22,14 @@ struct held {
 static enum ts_status collect(struct held *h)
 {
 	const struct ts_particles *p = h->sim->particles;
+	size_t held = 0;
 
-	h->x = ts_alloc(p->n, sizeof *h->x);
-	h->particle = ts_alloc(p->n, sizeof *h->particle);
+	for (size_t i = 0; i < p->n; i++)
+		held += p->imass[i] > 0 ? 0 : 1;
+	if (held < 2)
+		return TS_OK;
+	h->x = ts_alloc(held, sizeof *h->x);
+	h->particle = ts_alloc(held, sizeof *h->particle);
 	if (!h->x || !h->particle)
 		return TS_NOMEM;
 	for (size_t i = 0; i < p->n; i++) {
@@ -61,7 +66,7 @@ static enum ts_status count_contacts(struct held *h)
 		return TS_NOMEM;
 	for (size_t k = 0; k < h->n; k++)
 		most = fmax(most, p->radius[h->particle[k]]);
-	if (h->n < 2 || !(most > 0))
+	if (!(most > 0))
 		return TS_OK;
 	return ts_pairs_visit(&h->sim->domain->box, (const double(*)[3])h->x, h->n, 2 * most, count_contact,
 			      h);
