@@ -3,17 +3,12 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 [ -f "$top_builddir/libtsim_mpi.so" ] || { echo 'skipped: built without the shared library or MPI (configure --with-mpi)'; exit 77; }
-needs mpirun openmpi-bin
+# shellcheck source=tests/lib_ranks.sh
+. "$top_srcdir/tests/lib_ranks.sh" || exit 99
+has_ranks || exit 77
 export OMP_NUM_THREADS=1
 sed -e '/^dump/d; /^run/d; /^fix mean/d' "$top_srcdir/tests/rank/scenes/in.bed" >in.bed
 echo 'run 100' >>in.bed
-
-# ranks N COMMAND...
-ranks() {
-	local n=$1
-	shift
-	timeout 200 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$@" </dev/null
-}
 
 # shellcheck disable=SC2046,SC2086
 $CC -Wall -Wextra -Werror -I"$top_srcdir/src" $CFLAGS $(pkg-config --cflags mpi-c) "$top_srcdir/tests/library/ranks.c" \
@@ -22,11 +17,11 @@ $CC -Wall -Wextra -Werror -I"$top_srcdir/src" $CFLAGS $(pkg-config --cflags mpi-
 report 'tsim_mpi.h' $? out
 ./ranks in.bed without
 report 'without MPI it is refused' $?
-ranks 1 ./ranks in.bed >out.1 2>err
+on_ranks 1 ./ranks in.bed </dev/null >out.1 2>err
 report 'one rank' $? err
 grep '^end ' out.1 >end.1
 for n in 2 3; do
-	ranks $n ./ranks in.bed >"out.$n" 2>err
+	on_ranks $n ./ranks in.bed </dev/null >"out.$n" 2>err
 	report "$n ranks" $? err
 	grep '^end ' "out.$n" >"end.$n"
 	same "$n ranks: the same numbers" end.1 "end.$n"
@@ -37,7 +32,7 @@ done
 sed 's/^thermo_modify.*//' "$top_srcdir/tests/rank/scenes/in.outlet" >in.lost
 sed -i '/^dump/d; /^run/d' in.lost
 printf 'thermo_modify lost error\nrun 1200\n' >>in.lost
-ranks 3 ./ranks in.lost >out 2>&1
+on_ranks 3 ./ranks in.lost </dev/null >out 2>&1
 [ $? != 0 ] && [ "$(grep -c 'left the box through its fixed face' out)" = 1 ]
 report 'an error of one rank ends all' $? out
 
@@ -69,7 +64,7 @@ END
 if python_with 'mpi4py, numpy' 'python3-mpi4py python3-numpy'; then
 	export PYTHONPATH=$top_srcdir/python PYTHONDONTWRITEBYTECODE=1 TSIM_LIBRARY=$top_builddir/libtsim_mpi.so
 	for n in 1 3 4; do
-		ranks $n "$python" ranks.py in.bed >"out.$n" 2>&1
+		on_ranks $n "$python" ranks.py in.bed </dev/null >"out.$n" 2>&1
 		report "Python on $n ranks" $? "out.$n"
 		grep '^end ' "out.$n" >"end.$n"
 		same "Python on $n ranks: the same numbers" end.1 "end.$n"

@@ -4,6 +4,8 @@
 # them the scenes are not run (tests/rank/contract_ranks.sh runs them).
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_ranks.sh
+. "$top_srcdir/tests/lib_ranks.sh" || exit 99
 export OMP_NUM_THREADS=1
 scenes=$top_srcdir/tests/rank/scenes
 decks=$top_srcdir/tests/decks
@@ -73,10 +75,7 @@ cat table
 awk '{ n[$3]++ } END { for (what in n) print n[what], "styles:", what }' table
 
 [ -n "$numbers" ] || finish
-if ! has mpirun openmpi-bin || mpirun --oversubscribe --allow-run-as-root -np 2 "$TSIM" -version 2>&1 | grep -q 'built without MPI'; then
-	echo 'skipped: the scenes need mpirun and a tsim built with MPI (configure --with-mpi)'
-	finish
-fi
+has_ranks || finish
 
 # files_of FOLDER COMMAND...: files of a scene as x.* in a folder
 files_of() {
@@ -84,15 +83,15 @@ files_of() {
 	shift
 	rm -rf "$folder"
 	mkdir "$folder"
-	(cd "$folder" && timeout 300 "$@" -in "../in.$scene" -log log -screen none -var out x >out 2>&1 </dev/null)
+	(cd "$folder" && "$@" -in "../in.$scene" -log log -screen none -var out x >out 2>&1 </dev/null)
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
 for scene in averages drum forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
-	files_of alone "$TSIM"
+	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
-			files_of ranks mpirun --oversubscribe --allow-run-as-root --bind-to none -np "${n%x2}" "$TSIM"
+			files_of ranks on_ranks "${n%x2}" "$TSIM"
 		diff -rq -x log -x out -x '*.restart' alone ranks >difference
 		report "$scene: the same files on $n ranks" $? difference
 	done

@@ -3,6 +3,8 @@
 # tell.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_ranks.sh
+. "$top_srcdir/tests/lib_ranks.sh" || exit 99
 export OMP_NUM_THREADS=1
 
 # short SCENE STEPS: a script of so many steps, without outputs, so short that the list of contacts stays
@@ -39,15 +41,11 @@ report 'an empty box' $? out
 printf 'units lj\nprocessors 5 1 1\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 1\n' >in.empty
 refused 'blocks that do not fit' 'processors: ' -in in.empty -explain -ranks 4
 
-command -v mpirun >/dev/null && mpirun --oversubscribe --allow-run-as-root -np 2 "$TSIM" -version >version 2>&1
-if ! grep -q '.' version 2>/dev/null || grep -q 'built without MPI' version; then
-	echo 'the comparison with runs is skipped: needs openmpi-bin and a tsim built with MPI'
-	finish
-fi
+has_ranks || finish
 ranks() {
 	local n=$1
 	shift
-	timeout 300 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$TSIM" "$@" >out 2>&1 </dev/null
+	on_ranks "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 # Of runs of 2 and 12 steps with one list of contacts the difference is ten steps.
 for scene in bed gas; do

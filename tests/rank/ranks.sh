@@ -3,12 +3,9 @@
 # printed once.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-needs mpirun openmpi-bin
-mpirun --oversubscribe --allow-run-as-root -np 2 "$TSIM" -version >out 2>&1
-if grep -q 'built without MPI' out; then
-	echo 'skipped: needs a tsim built with MPI (configure --with-mpi)'
-	exit 77
-fi
+# shellcheck source=tests/lib_ranks.sh
+. "$top_srcdir/tests/lib_ranks.sh" || exit 99
+has_ranks || exit 77
 export OMP_NUM_THREADS=1
 scenes=$top_srcdir/tests/rank/scenes
 
@@ -16,7 +13,7 @@ scenes=$top_srcdir/tests/rank/scenes
 ranks() {
 	local n=$1
 	shift
-	timeout 300 mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$n" "$TSIM" "$@" >out 2>&1 </dev/null
+	on_ranks "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 
 for scene in bed gas crossing outlet pushed burst looks; do
@@ -138,7 +135,7 @@ begin=$SECONDS
 ranks 4 -in in.lost -log none -var out many
 [ $? != 0 ] && [ "$(grep -c 'left the box through its fixed face' out)" = 1 ] && [ $((SECONDS - begin)) -lt 60 ]
 report 'an error of one rank ends all' $? out
-printf 'print "read $(2*21)"\n' | mpirun --oversubscribe --allow-run-as-root -np 3 "$TSIM" -log none >out 2>&1
+printf 'print "read $(2*21)"\n' | on_ranks 3 "$TSIM" -log none >out 2>&1
 [ "$(grep -c 'read 42' out)" = 1 ]
 report 'a script from the standard input' $? out
 finish

@@ -3,20 +3,18 @@
 # these have written. TS_SEEDS: the seeds, by default those that always run.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-needs mpirun openmpi-bin
-if mpirun --oversubscribe --allow-run-as-root -np 2 "$TSIM" -version 2>&1 | grep -q 'built without MPI'; then
-	echo 'skipped: needs a tsim built with MPI (configure --with-mpi)'
-	exit 77
-fi
+# shellcheck source=tests/lib_ranks.sh
+. "$top_srcdir/tests/lib_ranks.sh" || exit 99
+has_ranks || exit 77
 export OMP_NUM_THREADS=1
 
 # files_of FOLDER SCRIPT RANKS: the files of a scene as x.*
 files_of() {
-	local on=(mpirun --oversubscribe --allow-run-as-root --bind-to none -np "$3")
-	[ "$3" = 1 ] && on=()
+	local on=(on_ranks "$3")
+	[ "$3" = 1 ] && on=(timeout 300)
 	rm -rf "$1"
 	mkdir "$1"
-	(cd "$1" && timeout 300 "${on[@]}" "$TSIM" -in "../$2" -log log -screen none -var out x -var saved ../grains.restart \
+	(cd "$1" && "${on[@]}" "$TSIM" -in "../$2" -log log -screen none -var out x -var saved ../grains.restart \
 		>out 2>&1 </dev/null) || return
 	rows "$1/log" >"$1/x.rows"
 	[ -s "$1/x.rows" ] && [ -s "$1/x.dump" ]
