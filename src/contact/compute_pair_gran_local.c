@@ -111,7 +111,7 @@ static void collect_facts(const struct tsim *sim, size_t r, const bool *wanted, 
 	add_torque(sim, &v, f);
 	if (wanted[TS_CONTACT_HEAT])
 		f->heat = heat_of_contact(sim, &v);
-	if (sim->legacy && !v.image)
+	if (sim->legacy == TS_LEGACY_LIGGGHTS && !v.image)
 		recompute_force(sim, &v, f);
 }
 

@@ -162,7 +162,7 @@ enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_
 	const struct ts_particles *p = sim->particles;
 	struct force_pass loop = { .task = { p, list, pair, sim->clock.dt, !sim->run.in_setup,
 					     /* the history of LAMMPS' laws ends with the contact */
-					     sim->legacy && !pair->mixes },
+					     sim->legacy == TS_LEGACY_LIGGGHTS && !pair->mixes },
 				   .share = share };
 	struct ts_contacts_pass pass = { force_share, sum_share, &loop, list->overwrite_sums };
 

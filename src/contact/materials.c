@@ -271,8 +271,10 @@ static enum ts_status read_contact_angle(struct tsim *sim, int a, int b, const c
 
 	TS_TRY(read_property(sim, &one, who, where, &angle));
 	TS_TRY(read_property(sim, &other, who, where, &angle));
-	out->contact_angle =
-		0.5 * (sim->legacy ? one.value * degree * other.value : one.value + other.value) * degree;
+	out->contact_angle = 0.5 *
+			     (sim->legacy == TS_LEGACY_LIGGGHTS ? one.value * degree * other.value
+								: one.value + other.value) *
+			     degree;
 	return TS_OK;
 }
 

@@ -14,7 +14,7 @@ enum ts_status ts_substep_check(struct tsim *sim, const struct ts_granular_model
 		      "hertz/stiffness, and not viscous";
 	else if (sim->run.explicit_euler)
 		why = "fix nve/euler moves particles by the velocities before the step; use fix nve";
-	else if (sim->legacy)
+	else if (sim->legacy == TS_LEGACY_LIGGGHTS)
 		why = "`legacy yes` reproduces LIGGGHTS, which has no such detection";
 	return why ? ts_fail(&sim->error, TS_STATE, where, "located yes: %s", why) : TS_OK;
 }

@@ -3,8 +3,9 @@
 
 #include "base/banned.h"
 
-enum { NO, LIGGGHTS, LAMMPS };
-static const char *const of_words[] = { "no", "yes", "lammps", NULL };
+static const char *const of_words[] = {
+	[TS_LEGACY_NO] = "no", [TS_LEGACY_LIGGGHTS] = "yes", [TS_LEGACY_LAMMPS] = "lammps", NULL
+};
 
 struct legacy {
 	int of;
@@ -12,11 +13,8 @@ struct legacy {
 
 static enum ts_status run_legacy(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	const struct legacy *s = state;
-
 	(void)where;
-	sim->legacy = s->of == LIGGGHTS;
-	sim->legacy_lammps = s->of == LAMMPS;
+	sim->legacy = (enum ts_legacy)((const struct legacy *)state)->of;
 	return TS_OK;
 }
 
@@ -67,8 +65,7 @@ const struct ts_command_style ts_command_legacy = {
 			  "no energy; the energy balance (fix energy/ledger) needs it. `tsim -crosscheck` "
 			  "shows such columns and does not count them as differences.\n\n"
 			  "The option `-legacy` of the command line does the same, `-legacy lammps` as "
-			  "`legacy "
-			  "lammps`, for scripts that the other program must read, too.",
+			  "`legacy lammps`, for scripts that the other program must read, too.",
 		   .example = "legacy yes",
 		   .args = args,
 		   .state_size = sizeof(struct legacy) },

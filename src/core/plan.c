@@ -256,7 +256,7 @@ static enum ts_status set_up_run(struct ts_plan *plan, struct tsim *sim)
 	uint64_t fingerprint;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	sim->run.resuming = !sim->legacy && !sim->legacy_lammps && fingerprint == sim->run.fingerprint;
+	sim->run.resuming = !sim->legacy && fingerprint == sim->run.fingerprint;
 	if (!sim->run.resuming)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));

@@ -165,6 +165,9 @@ struct ts_requests {
 	const char *restart_file;
 };
 
+/* Whose results those of a run are, where algorithms differ: command legacy. */
+enum ts_legacy { TS_LEGACY_NO, TS_LEGACY_LIGGGHTS, TS_LEGACY_LAMMPS };
+
 struct tsim {
 	const struct ts_tables *tables; /* of styles, systems, checks */
 
@@ -197,9 +200,8 @@ struct tsim {
 	bool hard_particles, soft_particles;
 	/* `newton on`, `communicate ... vel no`: no effect, but pair gran refuses them */
 	bool newton_on, still_ghosts;
-	bool legacy;	    /* results of LIGGGHTS: see the command of this name */
-	bool legacy_lammps; /* those of LAMMPS; never both */
-	unsigned full;	    /* bits of enum ts_full */
+	enum ts_legacy legacy;
+	unsigned full; /* bits of enum ts_full */
 
 	struct ts_reading reading;
 	struct ts_run_state run;

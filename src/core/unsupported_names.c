@@ -80,8 +80,8 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
 	{ TS_KIND_FIX, "deposit",
 	  "write `fix ID GROUP insert/stream` (through a face of a mesh) or `fix ID GROUP "
-	  "insert/rate/region` (in a "
-	  "region), with fix particletemplate/sphere and fix particledistribution/discrete" },
+	  "insert/rate/region` (in a region), with fix particletemplate/sphere and fix "
+	  "particledistribution/discrete" },
 	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
 	{ TS_KIND_FIX, "indent",
 	  "write `fix M all mesh/surface primitive sphere radius R type T` and `fix W all wall/gran ... mesh "

@@ -249,7 +249,7 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim, str
 	poly->time = ts_sim_time(sim);
 	poly->binary = d->binary;
 	poly->first = d->frames == 1 && !d->append;
-	poly->single_points |= sim->legacy;
+	poly->single_points |= sim->legacy == TS_LEGACY_LIGGGHTS;
 	TS_TRY(ts_dump_vtk_path(d, sim));
 	TS_TRY(ts_vtk_write_poly(sim, ts_str_text(&d->path), &self->where, poly));
 	return ts_dump_vtk_list(self, sim);

@@ -315,7 +315,7 @@ static void prescribe_body(const struct state *s, const struct tsim *sim, struct
 		if (!free)
 			body->x[k] = memory[TS_STREAM_PLACE + k] + time * v;
 		body->v[k] = free ? memory[TS_STREAM_VELOCITY + k] : v;
-		body->omega[k] = free && !sim->legacy ? s->base.omega[k] : 0;
+		body->omega[k] = free && sim->legacy != TS_LEGACY_LIGGGHTS ? s->base.omega[k] : 0;
 	}
 	ts_rigid_angular_momentum(body->q, body->inertia, body->omega, body->spin);
 }
@@ -423,7 +423,8 @@ static void prescribe_motion(const struct state *s, struct tsim *sim, size_t i)
 		size_t end = sim->rigid->start[body - sim->rigid->body + 1];
 
 		prescribe_body(s, sim, body, memory, free);
-		if (!free || !sim->legacy) /* in LIGGGHTS its spheres follow in the next step */
+		if (!free ||
+		    sim->legacy != TS_LEGACY_LIGGGHTS) /* in LIGGGHTS its spheres follow in the next step */
 			ts_rigid_place(sim, body, sim->rigid->member + first, end - first);
 	} else {
 		prescribe_sphere(s, sim, i, memory, free);

@@ -68,7 +68,7 @@ static enum ts_status define_body(struct ts_instance *self, struct tsim *sim)
 
 	for (int k = 0; k < 6; k++)
 		tensor[k] = s->shape.clump.moments[k] * t->density.a;
-	if (sim->legacy) /* LIGGGHTS 3.8 uses the mean of xz and yz for yz */
+	if (sim->legacy == TS_LEGACY_LIGGGHTS) /* LIGGGHTS 3.8 uses the mean of xz and yz for yz */
 		tensor[5] = 0.5 * (tensor[4] + tensor[5]);
 	TS_TRY(read_moments(self, sim, tensor));
 	if (!isnan(s->mass)) {

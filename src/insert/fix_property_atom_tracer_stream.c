@@ -103,7 +103,7 @@ static enum ts_status update_requests(struct ts_instance *self, struct tsim *sim
 	}
 	s->nrequests = kept;
 	for (; s->next < now + interval; s->next += s->every)
-		if (s->next > now || (s->next == now && !sim->legacy))
+		if (s->next > now || (s->next == now && sim->legacy != TS_LEGACY_LIGGGHTS))
 			TS_TRY(add_request(s, sim, s->next));
 	return TS_OK;
 }

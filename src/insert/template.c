@@ -20,7 +20,7 @@ enum ts_status ts_template_check_seed(struct tsim *sim, const char *what, int64_
 	if (seed > SEED_LIMIT)
 		return ts_fail(&sim->error, TS_RANGE, where, "%s: the seed is %lld, expected 1 to %lld", what,
 			       (long long)seed, (long long)SEED_LIMIT);
-	if (sim->legacy && !(seed > LEAST_LIGGGHTS && ts_minstd_is_prime(seed)))
+	if (sim->legacy == TS_LEGACY_LIGGGHTS && !(seed > LEAST_LIGGGHTS && ts_minstd_is_prime(seed)))
 		ts_warn(&sim->log, where,
 			"%s: LIGGGHTS 3.8 refuses the seed %lld: it takes primes above %lld only", what,
 			(long long)seed, (long long)LEAST_LIGGGHTS);

@@ -72,7 +72,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 
 	if (!ts_step_check_is_due(c, sim))
 		return TS_OK;
-	find_times(self, sim, c->legacy || sim->legacy, &time, &limit);
+	find_times(self, sim, c->legacy || sim->legacy == TS_LEGACY_LIGGGHTS, &time, &limit);
 	if (isfinite(limit))
 		TS_TRY(find_coupled_limit(sim, &limit));
 	c->ratio[BOND] = dt / time;

@@ -24,7 +24,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_step_check *c = &((struct state *)self->state)->check;
-	bool legacy = c->legacy || sim->legacy;
+	bool legacy = c->legacy || sim->legacy == TS_LEGACY_LIGGGHTS;
 	struct ts_granular_times times;
 	double speed, dt = sim->clock.dt;
 

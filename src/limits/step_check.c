@@ -95,7 +95,7 @@ enum ts_status ts_step_check_judge(const struct ts_instance *self, struct tsim *
 enum ts_status ts_step_check_judge_skin(const struct ts_instance *self, struct tsim *sim,
 					struct ts_step_check *c, int which)
 {
-	if (!(c->legacy || sim->legacy) || !(c->ratio[which] > 1))
+	if (!(c->legacy || sim->legacy == TS_LEGACY_LIGGGHTS) || !(c->ratio[which] > 1))
 		return TS_OK;
 	if (c->error)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,

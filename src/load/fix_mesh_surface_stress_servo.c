@@ -163,7 +163,7 @@ static void choose_gain(struct ts_instance *self, struct tsim *sim)
 	if (s->mode == AUTO || !has_default_gain(s) || sim->run.resuming)
 		return;
 	s->gain = USUAL_GAIN;
-	if (sim->legacy)
+	if (sim->legacy == TS_LEGACY_LIGGGHTS)
 		return;
 	most = ts_servo_contacts(sim, &mesh, ts_servo_most_contacts(sim, &mesh), true);
 	s->gain = fmin(USUAL_GAIN, SAFE_PART * gain_margin(s, sim, &most) * USUAL_GAIN);
@@ -185,7 +185,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	double part;
 
 	s->warned = false;
-	if (s->moves == STOP || (s->mode == PID && has_default_gain(s) && !sim->legacy))
+	if (s->moves == STOP || (s->mode == PID && has_default_gain(s) && sim->legacy != TS_LEGACY_LIGGGHTS))
 		return TS_OK;
 	mesh.arm = mesh.lever > 0 ? rms_arm(s) : 0;
 	few = ts_servo_contacts(sim, &mesh, fmax(1, (double)touching), false);

@@ -196,7 +196,7 @@ enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
 
 	if (!surface->mesh.n)
 		TS_TRY(load_mesh(self, sim, words, surface));
-	surface->mesh.legacy = sim->legacy;
+	surface->mesh.legacy = sim->legacy == TS_LEGACY_LIGGGHTS;
 	ts_mesh_motions_remove_ended(self, sim);
 	return ts_mesh_surface_check_box(self, sim, surface);
 }

@@ -195,7 +195,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 
 	if (!sim->run.resuming) /* forces are saved only for a run that is continued */
 		ts_force_slots_forget(list);
-	if (sim->legacy)
+	if (sim->legacy == TS_LEGACY_LIGGGHTS)
 		TS_TRY(ts_contact_history_save_all(sim, list, sim->run.resuming, old));
 	else
 		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));

@@ -233,7 +233,7 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 {
 	enum ts_contact_results results = kept ? TS_RESULTS_KEPT : TS_RESULTS_PASSED;
 
-	list->parted_history = sim->legacy || list->bridge_column;
+	list->parted_history = sim->legacy == TS_LEGACY_LIGGGHTS || list->bridge_column;
 	if (list->results == results && !ts_active_pairs_outdated(list))
 		return TS_OK;
 	if (!kept && list->results == TS_RESULTS_KEPT)

@@ -22,7 +22,8 @@ bool ts_leaving_apart(const struct tsim *sim)
 
 enum ts_status ts_leaving_init(struct tsim *sim)
 {
-	if (sim->particles->lost_policy != TS_LOST_IGNORE || sim->legacy || sim->neigh->fixed_skin)
+	if (sim->particles->lost_policy != TS_LOST_IGNORE || sim->legacy == TS_LEGACY_LIGGGHTS ||
+	    sim->neigh->fixed_skin)
 		return TS_OK;
 	return ts_particles_need(sim, 1u << TS_COL_XSEEN);
 }

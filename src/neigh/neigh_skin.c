@@ -86,7 +86,7 @@ static double skin_of_fast_particles(const struct tsim *sim, double skin, double
  * deletion of particles that have left. */
 static bool rebuilds_are_visible(const struct tsim *sim)
 {
-	return sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_observed ||
+	return sim->legacy == TS_LEGACY_LIGGGHTS || sim->neigh->fixed_skin || sim->neigh->skin_observed ||
 	       (sim->particles->lost_policy == TS_LOST_IGNORE && !ts_leaving_apart(sim));
 }
 

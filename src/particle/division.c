@@ -132,7 +132,7 @@ const char *ts_division_refused(const struct tsim *sim)
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
 		if (p->dynamic[bit].every)
 			return "a dynamic group";
-	if (sim->legacy)
+	if (sim->legacy == TS_LEGACY_LIGGGHTS)
 		return "legacy";
 	if (sim->outside)
 		return "a program around tsim";

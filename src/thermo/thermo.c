@@ -23,7 +23,7 @@ static const char *make_title(struct tsim *sim, const char *name)
 	if (name[0] && name[1] == '_')
 		name += 2;
 	snprintf(eight, sizeof eight, "%s", name);
-	return ts_arena_strdup(&sim->thermo->arena, sim->legacy ? eight : name);
+	return ts_arena_strdup(&sim->thermo->arena, sim->legacy == TS_LEGACY_LIGGGHTS ? eight : name);
 }
 
 /* Checks a column when it is defined: computes, fixes and variables may be missing until the run, but those

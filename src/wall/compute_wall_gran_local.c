@@ -72,7 +72,7 @@ static void contact_facts(const struct tsim *sim, const struct ts_wall *w, size_
 	f->heat = heat_of_contact(sim, r, i);
 	for (size_t m = 0; m < ts_wall_history(w, sim); m++)
 		f->history[m] = ts_wall_memory(&w->contacts, k)[m];
-	if (sim->legacy)
+	if (sim->legacy == TS_LEGACY_LIGGGHTS)
 		ts_wall_force_now(w, sim, k, f->force, f->torque);
 }
 

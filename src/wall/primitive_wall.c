@@ -224,7 +224,7 @@ static void add_rotation_velocity(const struct ts_primitive_wall *w, const struc
 	if (w->lammps) {
 		v[a] += r > 0 ? w->shear * db / r : 0;
 		v[b] -= r > 0 ? w->shear * da / r : 0;
-	} else if (sim->legacy && axis == 1) {
+	} else if (sim->legacy == TS_LEGACY_LIGGGHTS && axis == 1) {
 		v[0] += w->shear * db;
 		v[2] -= w->shear * da;
 	} else {

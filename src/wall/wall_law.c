@@ -38,7 +38,7 @@ static enum ts_status read_coeff(struct ts_instance *self, struct tsim *sim, con
 			     &law->coeff));
 	law->coeff.limit_damping |= law->numbers.limit_damping;
 	TS_TRY(ts_gran_coeff_complete(sim, &law->coeff, where));
-	if (sim->legacy || sim->legacy_lammps)
+	if (sim->legacy)
 		ts_gran_coeff_legacy_wall(&law->coeff);
 	wall->model = law->coeff.model;
 	wall->model.full_arms = true;
