@@ -12,7 +12,7 @@
 
 #include "base/banned.h"
 
-enum { CACHE_LINE = 64, PAGE = 4096, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
+enum { PAGE = 4096, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
 enum { MAPPED = 1 << 20 }; /* blocks of this size and above are mapped outside of the heap: ts_alloc_tune */
 
 static atomic_long live_blocks;
@@ -60,7 +60,7 @@ void ts_alloc_trim(void)
 
 static bool countable(size_t n, size_t size)
 {
-	return !must_fail() && !(size && n > (SIZE_MAX - CACHE_LINE) / size);
+	return !must_fail() && !(size && n > (SIZE_MAX - TS_CACHE_LINE) / size);
 }
 
 void *ts_alloc(size_t n, size_t size)
@@ -80,10 +80,10 @@ static void *allocate_aligned(size_t n, size_t size, size_t *bytes)
 	if (!countable(n, size))
 		return NULL;
 	/* see ts_alloc_aligned */
-	*bytes = round_up_to_page(((n && size ? n * size : 1) / CACHE_LINE + 1) * CACHE_LINE);
+	*bytes = round_up_to_page(((n && size ? n * size : 1) / TS_CACHE_LINE + 1) * TS_CACHE_LINE);
 	/* if the heap cannot grow, a mapped block may still be possible */
-	if (posix_memalign(&p, *bytes >= LARGE ? LARGE_PAGE : CACHE_LINE, *bytes) != 0 &&
-	    (*bytes > MAPPED || posix_memalign(&p, CACHE_LINE, MAPPED) != 0))
+	if (posix_memalign(&p, *bytes >= LARGE ? LARGE_PAGE : TS_CACHE_LINE, *bytes) != 0 &&
+	    (*bytes > MAPPED || posix_memalign(&p, TS_CACHE_LINE, MAPPED) != 0))
 		return NULL;
 	request_large_pages(p, *bytes);
 	atomic_fetch_add_explicit(&live_blocks, 1, memory_order_relaxed);
@@ -98,6 +98,13 @@ void *ts_alloc_aligned(size_t n, size_t size)
 	if (p)
 		memset(p, 0, bytes);
 	return p;
+}
+
+void *ts_alloc_unset(size_t n, size_t size)
+{
+	size_t bytes;
+
+	return allocate_aligned(n, size, &bytes);
 }
 
 char *ts_strdup(const char *s)

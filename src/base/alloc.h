@@ -10,11 +10,16 @@
 
 #include "base/status.h"
 
+/* Bytes. Blocks of ts_alloc_aligned begin at a multiple of it. */
+#define TS_CACHE_LINE 64
+
 /* Zero-initialised memory for n elements of the given size, or NULL. n == 0 gives a valid pointer. */
 void *ts_alloc(size_t n, size_t size);
 /* The same, aligned to a cache line, and with at least eight readable bytes behind the last element
  * (base/four.h). Also freed by ts_free. */
 void *ts_alloc_aligned(size_t n, size_t size);
+/* The same, whose bytes are not set: for elements that are written before they are read. */
+void *ts_alloc_unset(size_t n, size_t size);
 char *ts_strdup(const char *s);
 void ts_free(void *p);
 

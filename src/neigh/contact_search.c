@@ -173,11 +173,13 @@ static void search_shares(void *context, size_t from, size_t to)
 static enum ts_status search_all_shares(struct tsim *sim, struct ts_contact_search *s)
 {
 	size_t n = sim->particles->n, shares = (size_t)s->shares;
+	/* Room that is not used takes no memory, while a list that is too short is copied. */
+	size_t room = (s->expected + s->expected / 2) / shares;
 
 	for (size_t t = 0; t < shares; t++) {
 		s->share[t].from = n * t / shares;
 		s->share[t].to = n * (t + 1) / shares;
-		if (TS_RENEW_UNSET(s->share[t].partner, s->share[t].capacity, s->expected / shares) != TS_OK)
+		if (TS_RENEW_UNSET(s->share[t].partner, s->share[t].capacity, room) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
 	ts_parallel(s->shares, shares, search_shares, s);
@@ -201,7 +203,7 @@ enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *s)
 
 	s->sim = sim;
 	s->shares = ts_team(sim, 8 * n); /* a search costs as much as several simple loops */
-	s->share = ts_alloc((size_t)s->shares, sizeof *s->share);
+	s->share = ts_alloc_aligned((size_t)s->shares, sizeof *s->share);
 	s->count = ts_alloc(n, sizeof *s->count);
 	if (!s->share || !s->count)
 		return ts_nomem(&sim->error);

@@ -2,14 +2,17 @@
 #ifndef TS_NEIGH_CONTACT_SEARCH_H
 #define TS_NEIGH_CONTACT_SEARCH_H
 
+#include "base/alloc.h"
 #include "neigh/cells.h"
 #include "neigh/contact_list.h"
 #include "particle/particles.h"
 
-/* Pairs found by one share (one thread) of the search. */
+/* Pairs found by one share (one thread) of the search. Each begins on a cache line of its own, since threads write the
+ * number of their pairs all the time. */
 struct ts_contact_found {
-	size_t from, to; /* range of its particles */
-	size_t first;	 /* index of its first pair in the contact list */
+	_Alignas(TS_CACHE_LINE) size_t from; /* range of its particles */
+	size_t to;
+	size_t first; /* index of its first pair in the contact list */
 	/* partners of its particles, one particle after the other, each in the order of identities */
 	int32_t *partner;
 	size_t n, capacity;

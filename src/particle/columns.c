@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/inline.h"
+#include "base/parallel.h"
 #include "particle/identity.h"
 #include "particle/sphere_shape.h"
 
@@ -239,6 +241,34 @@ enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag)
 	return TS_OK;
 }
 
+struct reorder {
+	const char *from;
+	char *to;
+	size_t row; /* bytes */
+	const int32_t *order;
+};
+
+/* Inlined with rows of known size, for which a copy is a few instructions. */
+TS_INLINE void gather_rows(const struct reorder *r, size_t row, size_t from, size_t to)
+{
+	for (size_t i = from; i < to; i++)
+		memcpy(r->to + i * row, r->from + (size_t)r->order[i] * row, row);
+}
+
+static void reorder_range(void *context, size_t from, size_t to)
+{
+	const struct reorder *r = context;
+
+	if (r->row == sizeof(int32_t))
+		gather_rows(r, sizeof(int32_t), from, to);
+	else if (r->row == sizeof(double))
+		gather_rows(r, sizeof(double), from, to);
+	else if (r->row == sizeof(double[3]))
+		gather_rows(r, sizeof(double[3]), from, to);
+	else
+		gather_rows(r, r->row, from, to);
+}
+
 enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
 {
 	struct ts_particles *p = sim->particles;
@@ -252,11 +282,11 @@ enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
 
 		if (!c->active || !p->capacity)
 			continue;
-		data = ts_alloc_aligned(p->capacity, row);
+		data = ts_alloc_unset(p->capacity, row);
 		if (!data)
 			return ts_nomem(&sim->error);
-		for (size_t i = 0; i < p->n; i++)
-			memcpy(data + i * row, column_row(c, (size_t)order[i]), row);
+		ts_parallel(ts_team(sim, 2 * p->n), p->n, reorder_range,
+			    &(struct reorder){ c->data, data, row, order });
 		ts_shared_buffer_free(&sim->holds, c->data);
 		c->data = data;
 		update_bound_pointer(c);

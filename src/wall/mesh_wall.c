@@ -111,9 +111,10 @@ static void image_range(const struct ts_box *box, const struct ts_mesh_tree *tre
 	range[1] = (int)floor(fmin(1e6, (x + r - tree->lo[1][dim]) / length));
 }
 
-/* Result of the search of one thread: triangles near its particles, in the order of particles. */
+/* Result of the search of one thread: triangles near its particles, in the order of particles. Each begins on a cache line of
+ * its own, since threads write their numbers all the time. */
 struct search {
-	struct found *found;
+	_Alignas(TS_CACHE_LINE) struct found *found;
 	size_t n, capacity;
 	struct ts_mesh_list list;
 	struct ts_mesh_vicinity *vicinity; /* [nmeshes]: triangles around the last particle */
@@ -323,7 +324,7 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 	}
 	mw->nneighbors = 0;
 	ts_mesh_wall_max_approach(sim, mw);
-	s.share = ts_alloc(s.shares, sizeof *s.share);
+	s.share = ts_alloc_aligned(s.shares, sizeof *s.share);
 	if (!s.share)
 		return ts_nomem(&sim->error);
 	ts_parallel(team, s.shares, search_range, &s);
