@@ -86,6 +86,8 @@ library_sources = \
 	src/base/clock.c \
 	src/base/clock.h \
 	src/base/clones.h \
+	src/base/crc32.c \
+	src/base/crc32.h \
 	src/base/eight.h \
 	src/base/files.c \
 	src/base/files.h \

@@ -260,6 +260,7 @@ unit_tests = \
 	tests/accuracy/check_staircase \
 	tests/automaton/check_automaton \
 	tests/average/check_block_error \
+	tests/base/check_crc32 \
 	tests/base/check_files \
 	tests/base/check_str \
 	tests/bed/check_nearest \
@@ -408,6 +409,10 @@ tests_automaton_check_automaton_LDADD = $(tests_ldadd)
 tests_average_check_block_error_SOURCES = tests/average/check_block_error.c
 tests_average_check_block_error_CFLAGS = $(tests_cflags)
 tests_average_check_block_error_LDADD = $(tests_ldadd)
+
+tests_base_check_crc32_SOURCES = tests/base/check_crc32.c
+tests_base_check_crc32_CFLAGS = $(tests_cflags)
+tests_base_check_crc32_LDADD = $(tests_ldadd)
 
 tests_base_check_files_SOURCES = tests/base/check_files.c
 tests_base_check_files_CFLAGS = $(tests_cflags)

@@ -4,9 +4,9 @@
 #include "core/archive.h"
 
 #include <string.h>
-#include <zlib.h>
 
 #include "base/alloc.h"
+#include "base/crc32.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -217,18 +217,12 @@ void ts_archive_free(struct ts_archive *archive)
 	ts_free(archive);
 }
 
-/* crc32 takes lengths of 32 bits; crc32_z does not. */
-static uint32_t checksum(const void *bytes, size_t n)
-{
-	return (uint32_t)crc32_z(crc32_z(0, NULL, 0), bytes, n);
-}
-
 enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char **bytes, size_t *n)
 {
 	uint32_t sum;
 
 	if (archive->writing && !archive->sealed) {
-		sum = checksum(archive->block, archive->length);
+		sum = ts_crc32(0, archive->block, archive->length);
 		TS_TRY(append_bytes(archive, &sum, sizeof sum));
 		archive->sealed = true;
 	}
@@ -284,7 +278,7 @@ enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *
 	memcpy(&sum, bytes + end, sizeof sum);
 	if (magic != MAGIC)
 		return fail_damaged(archive, "it does not begin as it should");
-	if (sum != checksum(bytes, end))
+	if (sum != ts_crc32(0, bytes, end))
 		return fail_damaged(archive, "the checksum is wrong");
 	while (at < end) {
 		if (TS_GROW(archive->field, archive->field_capacity, archive->nfields + 1) != TS_OK)

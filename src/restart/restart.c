@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <zlib.h>
 
+#include "base/crc32.h"
 #include "box/domain.h"
 #include "core/fingerprint.h"
 #include "core/group.h"
@@ -80,7 +81,7 @@ struct writer {
 
 static enum ts_status write_bytes(struct writer *w, const void *bytes, size_t n)
 {
-	w->sum = (uint32_t)crc32_z(w->sum, bytes, n);
+	w->sum = ts_crc32(w->sum, bytes, n);
 	return ts_replace_write(&w->out, bytes, n);
 }
 
@@ -105,7 +106,7 @@ static enum ts_status write_packed(struct writer *w, struct section_head *head, 
 				   const struct packed *packed)
 {
 	head->packed = packed->n;
-	head->sum = (uint32_t)crc32_z(crc32_z(0, NULL, 0), (const unsigned char *)packed->bytes, packed->n);
+	head->sum = ts_crc32(0, packed->bytes, packed->n);
 	for (int k = 0; k < NNAMES; k++)
 		head->name_length[k] = (uint32_t)strlen(names[k]);
 	TS_TRY(write_bytes(w, head, sizeof *head));
@@ -206,7 +207,7 @@ static enum ts_status write_all(struct writer *w)
 
 enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct ts_place *where)
 {
-	struct writer w = { .sim = sim, .sum = (uint32_t)crc32_z(0, NULL, 0) };
+	struct writer w = { .sim = sim };
 	enum ts_status status;
 
 	/* within a run the forces belong to the current state: a continued run need not compute them again */
@@ -268,7 +269,7 @@ static enum ts_status read_raw(struct reader *r, void *to, size_t n)
 static enum ts_status read_bytes(struct reader *r, void *to, size_t n)
 {
 	TS_TRY(read_raw(r, to, n));
-	r->sum = (uint32_t)crc32_z(r->sum, to, n);
+	r->sum = ts_crc32(r->sum, to, n);
 	return TS_OK;
 }
 
@@ -289,7 +290,7 @@ static enum ts_status check_start(struct reader *r)
 	n = fread(magic, 1, MAGIC_LENGTH, r->file);
 	if (ferror(r->file))
 		return read_failed(r);
-	r->sum = (uint32_t)crc32_z(r->sum, (const unsigned char *)magic, n);
+	r->sum = ts_crc32(r->sum, magic, n);
 	if (n < MAGIC_LENGTH || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
 		return refuse_file(r, "is not a restart file of tsim");
 	if (version[0] < '1' || version[0] > '0' + VERSION || version[1] != '\n')
@@ -325,7 +326,7 @@ static enum ts_status unpack(struct reader *r, const struct section *s, struct t
 	for (; left; left -= n) {
 		n = left < PIECE ? left : PIECE;
 		TS_TRY(read_raw(r, r->piece, n));
-		*sum = (uint32_t)crc32_z(*sum, r->piece, n);
+		*sum = ts_crc32(*sum, r->piece, n);
 		ts_unpack_piece(u, r->piece, n);
 	}
 	return TS_OK;
@@ -333,7 +334,7 @@ static enum ts_status unpack(struct reader *r, const struct section *s, struct t
 
 static enum ts_status decompress(struct reader *r, struct section *s)
 {
-	uint32_t sum = (uint32_t)crc32_z(0, NULL, 0);
+	uint32_t sum = 0;
 	enum ts_status status;
 	struct ts_unpack *u;
 	bool whole;
@@ -517,7 +518,7 @@ static enum ts_status read_file(struct reader *r)
 
 enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct ts_place *where)
 {
-	struct reader r = { .sim = sim, .path = path, .where = where, .sum = (uint32_t)crc32_z(0, NULL, 0) };
+	struct reader r = { .sim = sim, .path = path, .where = where };
 	enum ts_status status;
 
 	if (ts_sim_has_box(sim))
