@@ -9,15 +9,16 @@
 #include "base/banned.h"
 
 /* Bytes. PIECE: for which it is decided at once; SAMPLE: of it that are compressed to decide; ROOM: of the output.
- * A piece is worth compressing if its sample becomes shorter by 1 / WORTH: real numbers of random digits lose a tenth, at a
- * tenth of the speed of a disk. MOST_ROOM: what zlib takes in one call. */
-enum { PIECE = 1 << 18, SAMPLE = 1 << 12, ROOM = 1 << 18, WORTH = 6, MOST_ROOM = 1 << 30 };
+ * A piece is worth compressing if its sample becomes as short as 1 / WORTH of it (zeros, equal numbers): then zlib is about as
+ * fast as a disk. Real numbers of random digits lose a tenth, at 25 MB/s, indices of neighbours three quarters, at 65 MB/s.
+ * MOST_ROOM: what zlib takes in one call. */
+enum { PIECE = 1 << 18, SAMPLE = 1 << 12, ROOM = 1 << 18, WORTH = 8, MOST_ROOM = 1 << 30 };
 
 static bool is_worth_it(const unsigned char *bytes, size_t n)
 {
 	unsigned char room[SAMPLE];
 	size_t size = n < SAMPLE ? n : SAMPLE;
-	uLongf length = (uLongf)(size - size / WORTH);
+	uLongf length = (uLongf)(size / WORTH);
 
 	if (n < SAMPLE)
 		return true;
@@ -110,6 +111,8 @@ struct ts_unpack *ts_unpack_begin(void *to, size_t n)
 		ts_free(u);
 		return NULL;
 	}
+	inflateValidate(&u->zip,
+			0); /* the file has its own checksums, of the compressed and of the plain bytes */
 	u->zip.next_out = to;
 	u->left = n;
 	return u;
