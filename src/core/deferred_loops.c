@@ -32,6 +32,7 @@ void ts_deferred_loops_run(struct tsim *sim)
 	begin = ts_ticks();
 	ts_parallel(ts_team(sim, deferred->n * deferred->rounds), deferred->rounds, execute_fused, deferred);
 	deferred->n = 0;
+	deferred->alone = false;
 	deferred->spent += ts_ticks() - begin;
 }
 
@@ -39,9 +40,27 @@ void ts_defer_loop(struct tsim *sim, size_t rounds, ts_range_fn *body, const voi
 {
 	struct ts_deferred_loops *deferred = &sim->deferred;
 
-	if (deferred->n == TS_MAX_DEFERRED || rounds != deferred->rounds)
+	if (deferred->n == TS_MAX_DEFERRED || rounds != deferred->rounds || deferred->alone)
 		ts_deferred_loops_run(sim);
 	deferred->rounds = rounds;
 	deferred->loop[deferred->n].body = body;
 	memcpy(deferred->loop[deferred->n++].context, context, size);
+}
+
+void ts_defer_loop_alone(struct tsim *sim, size_t rounds, ts_range_fn *body, const void *context, size_t size)
+{
+	ts_deferred_loops_run(sim);
+	ts_defer_loop(sim, rounds, body, context, size);
+	sim->deferred.alone = true;
+}
+
+bool ts_deferred_loop_take(struct tsim *sim, ts_range_fn *body)
+{
+	struct ts_deferred_loops *deferred = &sim->deferred;
+
+	if (!deferred->alone || deferred->loop[0].body != body)
+		return false;
+	deferred->n = 0;
+	deferred->alone = false;
+	return true;
 }

@@ -10,6 +10,7 @@
 #ifndef TS_CORE_DEFERRED_LOOPS_H
 #define TS_CORE_DEFERRED_LOOPS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -25,6 +26,7 @@ struct ts_deferred_loops {
 	} loop[TS_MAX_DEFERRED];
 	size_t n;	/* deferred loops */
 	size_t rounds;	/* iterations of each */
+	bool alone;	/* the last one is not fused with others */
 	uint64_t spent; /* time spent in them since the plan read it last, ticks of ts_ticks() */
 };
 
@@ -37,6 +39,13 @@ struct ts_deferred_loops {
 		ts_defer_loop(sim, rounds, body, context, sizeof *(context));             \
 	} while (0)
 void ts_defer_loop(struct tsim *sim, size_t rounds, ts_range_fn *body, const void *context, size_t size);
+
+/* A loop whose iterations are not particles: it is deferred, but not fused with others. */
+void ts_defer_loop_alone(struct tsim *sim, size_t rounds, ts_range_fn *body, const void *context,
+			 size_t size);
+
+/* If this loop is the only deferred one, it is no longer deferred, and the caller executes it. */
+bool ts_deferred_loop_take(struct tsim *sim, ts_range_fn *body);
 
 /* Executes the deferred loops; does nothing if there are none. */
 void ts_deferred_loops_run(struct tsim *sim);

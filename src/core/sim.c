@@ -17,6 +17,7 @@ void ts_sim_set_dt(struct tsim *sim, double dt)
 {
 	if (dt == sim->clock.dt) /* given again after read_restart: a new base would round the time */
 		return;
+	ts_deferred_loops_run(sim); /* some belong to the step that ends with the old dt */
 	sim->clock.base_time = ts_sim_time(sim);
 	sim->clock.base_step = sim->clock.step;
 	sim->clock.dt = dt;

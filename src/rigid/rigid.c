@@ -250,10 +250,10 @@ enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3
 #pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
 	for (size_t l = 0; l < r->ordered; l++) {
 		size_t b = (size_t)r->order[l];
-		bool within = false;
+		bool within = group == 0; /* all */
 
-		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-			within |= ts_in_group(p, (size_t)r->member[k], group);
+		for (size_t k = r->start[b]; k < r->start[b + 1] && !within; k++)
+			within = ts_in_group(p, (size_t)r->member[k], group);
 		if (within)
 			ts_axpy(r->body[b].mass, a, r->body[b].external);
 	}

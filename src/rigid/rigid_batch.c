@@ -1,9 +1,8 @@
 #include "base/clones.h"
 TS_UNROLLED
 
-#include <string.h>
-
 #include "base/four.h"
+#include "box/domain.h"
 #include "math/rigid_turn.h"
 #include "rigid/rigid_batch.h"
 #include "rigid/rigid_motion.h"
@@ -21,7 +20,9 @@ enum {
 
 struct lanes {
 	double of[NUMBERS][LANES];
-	double m[9][LANES]; /* rotation matrices */
+	double m[12]
+		[LANES]; /* rotation matrices: m[4 * b + a] is element a of column b; m[4 * b + 3] is 0, as denormal numbers
+				 * that nobody reads take time, too */
 } __attribute__((aligned(64)));
 
 TS_INLINE struct ts_body *body_of(const struct ts_rigid *r, size_t from, size_t n, size_t k)
@@ -73,13 +74,15 @@ TS_INLINE void set_matrix(struct lanes *l, size_t k, const double q[4])
 	double m[3][3];
 
 	ts_quaternion_matrix(q, m);
-	for (int a = 0; a < 3; a++)
-		for (int b = 0; b < 3; b++)
-			l->m[3 * a + b][k] = m[a][b];
+	for (int b = 0; b < 3; b++) {
+		for (int a = 0; a < 3; a++)
+			l->m[4 * b + a][k] = m[a][b];
+		l->m[4 * b + 3][k] = 0;
+	}
 }
 
-/* ts_body_kick, and with `move` ts_body_move */
-TS_INLINE void advance_lane(struct lanes *l, size_t k, double h, double dt, bool move)
+/* ts_body_kick, twice if a step ends and the next one begins, and with `move` ts_body_move */
+TS_INLINE void advance_lane(struct lanes *l, size_t k, double h, double dt, bool twice, bool move)
 {
 	const double inertia[3] = LOAD3(l, inertia, k), force[3] = LOAD3(l, force, k),
 		     torque[3] = LOAD3(l, torque, k), mass = l->of[INDEX(mass)][k];
@@ -88,8 +91,10 @@ TS_INLINE void advance_lane(struct lanes *l, size_t k, double h, double dt, bool
 	double x[3] = LOAD3(l, x, k), v[3] = LOAD3(l, v, k), spin[3] = LOAD3(l, spin, k), omega[3];
 
 	for (int a = 0; a < 3; a++) {
-		v[a] += h * force[a] / mass;
-		spin[a] += h * torque[a];
+		double dv = h * force[a] / mass, dspin = h * torque[a];
+
+		v[a] = twice ? v[a] + dv + dv : v[a] + dv;
+		spin[a] = twice ? spin[a] + dspin + dspin : spin[a] + dspin;
 	}
 	ts_rigid_omega(q, inertia, spin, omega);
 	if (move) {
@@ -105,30 +110,9 @@ TS_INLINE void advance_lane(struct lanes *l, size_t k, double h, double dt, bool
 	set3(l, INDEX(omega), k, omega);
 }
 
-/* Bodies order[from] .. order[from + n - 1], n at most LANES: half kick, drift, and rotation matrices. */
-TS_CLONES static void begin_lanes(struct ts_rigid *r, size_t from, size_t n, double dt, struct lanes *l)
-{
-	load_bodies(r, from, n, l);
-#pragma omp simd
-	for (size_t k = 0; k < n; k++)
-		advance_lane(l, k, 0.5 * dt, dt, true);
-	store_bodies(l, from, n, r);
-}
-
-/* Half kick with the new forces. */
-TS_CLONES static void end_lanes(struct ts_rigid *r, size_t from, size_t n, double dt, struct lanes *l)
-{
-	load_bodies(r, from, n, l);
-#pragma omp simd
-	for (size_t k = 0; k < n; k++)
-		advance_lane(l, k, 0.5 * dt, dt, false);
-	store_bodies(l, from, n, r);
-}
-
 /* Rotation matrices. */
-TS_CLONES static void make_matrices(const struct ts_rigid *r, size_t from, size_t n, struct lanes *l)
+TS_INLINE void set_matrices(struct lanes *l, size_t n)
 {
-	load_bodies(r, from, n, l);
 #pragma omp simd
 	for (size_t k = 0; k < n; k++) {
 		const double q[4] = { l->of[INDEX(q)][k], l->of[INDEX(q) + 1][k], l->of[INDEX(q) + 2][k],
@@ -138,60 +122,162 @@ TS_CLONES static void make_matrices(const struct ts_rigid *r, size_t from, size_
 	}
 }
 
-TS_INLINE void matrix_of_lane(const struct lanes *l, size_t k, double m[3][3])
+TS_INLINE void advance_lanes(struct lanes *l, size_t n, double dt, bool twice, bool move)
 {
-	for (int a = 0; a < 3; a++)
-		for (int b = 0; b < 3; b++)
-			m[a][b] = l->m[3 * a + b][k];
+#pragma omp simd
+	for (size_t k = 0; k < n; k++)
+		advance_lane(l, k, 0.5 * dt, dt, twice, move);
 }
 
-/* Sets velocities of the members; their positions are up to date. */
-static void set_member_velocities(struct tsim *sim, size_t b, double m[3][3])
+/* ---- members, one after the other: a row holds x, y, z and a number without meaning */
+
+/* Columns of the rotation matrices of four bodies. */
+struct four_matrices {
+	ts_four column[3][4];
+};
+
+TS_INLINE void load_matrices(const struct lanes *l, size_t at, struct four_matrices *m)
+{
+	for (int b = 0; b < 3; b++)
+		ts_four_rows(&l->m[4 * b], at, m->column[b]);
+}
+
+/* m x, added in the order of ts_rotate */
+#define ROTATED(m, k, x) \
+	((m)->column[0][k] * (x)[0] + (m)->column[1][k] * (x)[1] + (m)->column[2][k] * (x)[2])
+#define YZX(a) TS_FOUR_SHUFFLE(a, a, 1, 2, 0, 3)
+#define ZXY(a) TS_FOUR_SHUFFLE(a, a, 2, 0, 1, 3)
+#define CROSS(a, b) (YZX(a) * ZXY(b) - ZXY(a) * YZX(b))
+
+/* Position, unless it is up to date, and velocities of the members of body b; x, v, omega: its own. */
+TS_INLINE void set_members(struct tsim *sim, size_t b, const struct four_matrices *m, size_t k,
+			   const ts_four *x, const ts_four *v, const ts_four *omega)
 {
 	const struct ts_rigid *r = sim->rigid;
-	const struct ts_body *body = &r->body[b];
+	const struct ts_box *box = &sim->domain->box;
+	const ts_four length = { ts_box_length(box, 0), ts_box_length(box, 1), ts_box_length(box, 2), 0 };
 	struct ts_particles *p = sim->particles;
-	double arm[3], turn[3];
 
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
-		size_t i = (size_t)r->member[k];
+	for (size_t at = r->start[b]; at < r->start[b + 1]; at++) {
+		size_t i = (size_t)r->member[at];
+		const int32_t *image = p->image[i];
+		ts_four arm = ROTATED(m, k, p->body_x[i]), velocity = *v + CROSS(*omega, arm), place;
 
-		ts_rotate(m, p->body_x[i], arm);
-		ts_cross(body->omega, arm, turn);
-		ts_add(body->v, turn, p->v[i]);
-		memcpy(p->omega[i], body->omega, sizeof body->omega);
+		ts_four_store(&velocity, 3, p->v[i]);
+		ts_four_store(omega, 3, p->omega[i]);
+		if (!x)
+			continue;
+		place = *x + arm - (ts_four){ image[0], image[1], image[2], 0 } * length;
+		ts_four_store(&place, 3, p->x[i]);
 	}
 }
 
-static void sum_forces(struct tsim *sim, size_t b, double m[3][3])
+/* Of the bodies of all lanes. */
+TS_INLINE void set_all_members(struct tsim *sim, const struct lanes *l, size_t from, size_t n, bool positions)
+{
+	const struct ts_rigid *r = sim->rigid;
+
+	for (size_t at = 0; at < n; at += 4) {
+		struct four_matrices m;
+		ts_four x[4], v[4], omega[4];
+
+		load_matrices(l, at, &m);
+		ts_four_rows(&l->of[INDEX(x)], at, x);
+		ts_four_rows(&l->of[INDEX(v)], at, v);
+		ts_four_rows(&l->of[INDEX(omega)], at, omega);
+		for (size_t k = 0; k < 4 && at + k < n; k++)
+			set_members(sim, (size_t)r->order[from + at + k], &m, k, positions ? &x[k] : NULL,
+				    &v[k], &omega[k]);
+	}
+}
+
+/* Force and torque on a body. */
+TS_INLINE void sum_forces(struct tsim *sim, size_t b, const struct four_matrices *m, size_t k, ts_four *force,
+			  ts_four *torque)
 {
 	const struct ts_rigid *r = sim->rigid;
 	const struct ts_particles *p = sim->particles;
 	struct ts_body *body = &r->body[b];
-	double force[3], torque[3] = { 0 }, arm[3], turn[3];
 
-	memcpy(force, body->external, sizeof force);
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
-		size_t i = (size_t)r->member[k];
+	*force = TS_FOUR_LOAD(body->external);
+	*torque = (ts_four){ 0 };
+	for (size_t at = r->start[b]; at < r->start[b + 1]; at++) {
+		size_t i = (size_t)r->member[at];
+		ts_four arm = ROTATED(m, k, p->body_x[i]), f = TS_FOUR_LOAD(p->f[i]);
 
-		ts_rotate(m, p->body_x[i], arm);
-		ts_cross(arm, p->f[i], turn);
-		ts_add(force, p->f[i], force);
-		ts_add(turn, p->torque[i], turn);
-		ts_add(torque, turn, torque);
+		*force += f;
+		*torque += CROSS(arm, f) + TS_FOUR_LOAD(p->torque[i]);
 	}
-	for (int k = 0; k < 3; k++) {
-		body->force[k] = force[k] * body->free[k];
-		body->torque[k] = torque[k] * body->free[3 + k];
+	*force *= TS_FOUR_LOAD(body->free);
+	*torque *= TS_FOUR_LOAD(body->free + 3);
+	ts_four_store(force, 3, body->force);
+	ts_four_store(torque, 3, body->torque);
+}
+
+/* Of the bodies of all lanes, also into the lanes. */
+TS_INLINE void sum_all_forces(struct tsim *sim, size_t from, size_t n, struct lanes *l)
+{
+	_Static_assert(INDEX(torque) == INDEX(force) + 3 && INDEX(torque) + 3 < NUMBERS, "columns of four");
+	const struct ts_rigid *r = sim->rigid;
+
+	for (size_t at = 0; at < n; at += 4) {
+		struct four_matrices m;
+		ts_four force[4] = { { 0 } }, torque[4] = { { 0 } };
+
+		load_matrices(l, at, &m);
+		for (size_t k = 0; k < 4 && at + k < n; k++)
+			sum_forces(sim, (size_t)r->order[from + at + k], &m, k, &force[k], &torque[k]);
+		ts_four_columns(force, &l->of[INDEX(force)], at);
+		ts_four_columns(torque, &l->of[INDEX(torque)], at);
 	}
 }
 
-void ts_rigid_sum_forces(struct tsim *sim, size_t b)
-{
-	double m[3][3];
+/* ---- a batch of bodies: order[from] .. order[from + n - 1], n at most LANES */
 
-	ts_quaternion_matrix(sim->rigid->body[b].q, m);
-	sum_forces(sim, b, m);
+/* Half kick and drift. */
+TS_CLONES static void begin_batch(struct tsim *sim, size_t from, size_t n)
+{
+	struct lanes l;
+
+	load_bodies(sim->rigid, from, n, &l);
+	advance_lanes(&l, n, sim->clock.dt, false, true);
+	store_bodies(&l, from, n, sim->rigid);
+	set_all_members(sim, &l, from, n, true);
+}
+
+/* Half kick with the new forces. */
+TS_CLONES static void end_batch(struct tsim *sim, size_t from, size_t n)
+{
+	struct lanes l;
+
+	load_bodies(sim->rigid, from, n, &l);
+	set_matrices(&l, n);
+	sum_all_forces(sim, from, n, &l);
+	advance_lanes(&l, n, sim->clock.dt, false, false);
+	store_bodies(&l, from, n, sim->rigid);
+	set_all_members(sim, &l, from, n, false);
+}
+
+/* Both, between which nobody looks at the members. */
+TS_CLONES static void end_and_begin_batch(struct tsim *sim, size_t from, size_t n)
+{
+	struct lanes l;
+
+	load_bodies(sim->rigid, from, n, &l);
+	set_matrices(&l, n);
+	sum_all_forces(sim, from, n, &l);
+	advance_lanes(&l, n, sim->clock.dt, true, true);
+	store_bodies(&l, from, n, sim->rigid);
+	set_all_members(sim, &l, from, n, true);
+}
+
+TS_CLONES static void sum_batch(struct tsim *sim, size_t from, size_t n)
+{
+	struct lanes l;
+
+	load_bodies(sim->rigid, from, n, &l);
+	set_matrices(&l, n);
+	sum_all_forces(sim, from, n, &l);
 }
 
 /* Bodies are stored in the order of their ids, but processed in the order of their members in memory. */
@@ -202,46 +288,31 @@ static void prefetch_bodies(const struct ts_rigid *r, size_t from)
 			__builtin_prefetch((const char *)&r->body[r->order[k]] + line, 1);
 }
 
+static void in_batches(struct tsim *sim, size_t from, size_t to,
+		       void (*work)(struct tsim *sim, size_t from, size_t n))
+{
+	for (; from < to; from += LANES) {
+		prefetch_bodies(sim->rigid, from + LANES);
+		work(sim, from, to - from < LANES ? to - from : LANES);
+	}
+}
+
 void ts_rigid_begin_bodies(struct tsim *sim, size_t from, size_t to)
 {
-	struct ts_rigid *r = sim->rigid;
-
-	for (; from < to; from += LANES) {
-		size_t n = to - from < LANES ? to - from : LANES;
-		struct lanes l;
-
-		begin_lanes(r, from, n, sim->clock.dt, &l);
-		prefetch_bodies(r, from + LANES);
-		for (size_t k = 0; k < n; k++) {
-			size_t b = (size_t)r->order[from + k];
-			double m[3][3];
-
-			matrix_of_lane(&l, k, m);
-			ts_rigid_place_rotated(sim, &r->body[b], m, r->member + r->start[b],
-					       r->start[b + 1] - r->start[b]);
-		}
-	}
+	in_batches(sim, from, to, begin_batch);
 }
 
 void ts_rigid_end_bodies(struct tsim *sim, size_t from, size_t to)
 {
-	struct ts_rigid *r = sim->rigid;
+	in_batches(sim, from, to, end_batch);
+}
 
-	for (; from < to; from += LANES) {
-		size_t n = to - from < LANES ? to - from : LANES;
-		struct lanes l;
-		double m[3][3];
+void ts_rigid_end_and_begin_bodies(struct tsim *sim, size_t from, size_t to)
+{
+	in_batches(sim, from, to, end_and_begin_batch);
+}
 
-		make_matrices(r, from, n, &l);
-		prefetch_bodies(r, from + LANES);
-		for (size_t k = 0; k < n; k++) {
-			matrix_of_lane(&l, k, m);
-			sum_forces(sim, (size_t)r->order[from + k], m);
-		}
-		end_lanes(r, from, n, sim->clock.dt, &l);
-		for (size_t k = 0; k < n; k++) {
-			matrix_of_lane(&l, k, m);
-			set_member_velocities(sim, (size_t)r->order[from + k], m);
-		}
-	}
+void ts_rigid_sum_forces(struct tsim *sim, size_t from, size_t to)
+{
+	in_batches(sim, from, to, sum_batch);
 }

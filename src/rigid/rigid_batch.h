@@ -9,7 +9,9 @@
 void ts_rigid_begin_bodies(struct tsim *sim, size_t from, size_t to);
 /* Sums forces and torques of members, half kick, velocities of members. */
 void ts_rigid_end_bodies(struct tsim *sim, size_t from, size_t to);
-/* Sums forces and torques of the members of body b, T += arm x F, and sets those of constrained directions to 0. */
-void ts_rigid_sum_forces(struct tsim *sim, size_t b);
+/* Both: the end of a step and the beginning of the next one. */
+void ts_rigid_end_and_begin_bodies(struct tsim *sim, size_t from, size_t to);
+/* Sums forces and torques of members, T += arm x F, and sets those of constrained directions to 0. */
+void ts_rigid_sum_forces(struct tsim *sim, size_t from, size_t to);
 
 #endif

@@ -24,17 +24,9 @@ static void move_member(struct tsim *sim, const struct ts_body *b, size_t i, con
 
 void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n)
 {
-	double m[3][3];
+	double m[3][3], arm[3];
 
 	ts_quaternion_matrix(body->q, m);
-	ts_rigid_place_rotated(sim, body, m, row, n);
-}
-
-void ts_rigid_place_rotated(struct tsim *sim, const struct ts_body *body, double m[3][3], const int32_t *row,
-			    size_t n)
-{
-	double arm[3];
-
 	for (size_t k = 0; k < n; k++) {
 		ts_rotate(m, sim->particles->body_x[row[k]], arm);
 		move_member(sim, body, (size_t)row[k], arm);

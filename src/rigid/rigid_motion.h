@@ -12,9 +12,6 @@ void ts_rigid_principal(struct ts_body *body, const double tensor[6]);
 
 /* Computes positions and velocities of the members row[] from those of the body. */
 void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n);
-/* The same with the rotation matrix of the body. */
-void ts_rigid_place_rotated(struct tsim *sim, const struct ts_body *body, double m[3][3], const int32_t *row,
-			    size_t n);
 
 /* A step of velocity Verlet: half kick, drift, and half kick with the new forces. After the drift
  * velocities are those of the half step, as for single spheres. */

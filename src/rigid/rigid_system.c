@@ -17,17 +17,25 @@ static void begin_step(void *context, size_t from, size_t to)
 	ts_rigid_begin_bodies(context, from, to);
 }
 
+struct end_task {
+	struct tsim *sim;
+};
+
 static void end_step(void *context, size_t from, size_t to)
 {
-	ts_rigid_end_bodies(context, from, to);
+	const struct end_task *task = context;
+
+	ts_rigid_end_bodies(task->sim, from, to);
+}
+
+static void end_and_begin_step(void *context, size_t from, size_t to)
+{
+	ts_rigid_end_and_begin_bodies(context, from, to);
 }
 
 static void sum_forces(void *context, size_t from, size_t to)
 {
-	struct tsim *sim = context;
-
-	for (size_t k = from; k < to; k++)
-		ts_rigid_sum_forces(sim, (size_t)sim->rigid->order[k]);
+	ts_rigid_sum_forces(context, from, to);
 }
 
 static enum ts_status for_each_body(struct tsim *sim, ts_range_fn *work)
@@ -45,6 +53,8 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 
 	if (!r->n)
 		return TS_OK;
+	if (ts_deferred_loop_take(sim, end_step))
+		return for_each_body(sim, end_and_begin_step);
 	ts_deferred_loops_run(sim);
 	return for_each_body(sim, begin_step);
 }
@@ -59,15 +69,21 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* Mostly the next step begins before anybody looks at the bodies: then both are one pass. */
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_rigid *r = self->state;
+	struct end_task task = { sim };
 
 	if (!r->n && !sim->division)
 		return TS_OK;
 	ts_deferred_loops_run(sim);
 	ts_copies_forward_forces(sim);
-	return for_each_body(sim, end_step);
+	TS_TRY(ts_rigid_list(sim));
+	ts_defer_loop_alone(sim, r->ordered, end_step, &task, sizeof task);
+	if (sim->division)
+		ts_deferred_loops_run(sim);
+	return TS_OK;
 }
 
 /* Ghosts have changed, which are members of bodies if they are copies of particles of other ranks. */

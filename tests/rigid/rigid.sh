@@ -160,4 +160,32 @@ print "is left $(f_r[2][1]:%.17g) $(v_centre:%.17g)"
 print "is free $(f_r[3][1]:%.17g) 0.59"
 run 100
 print "is held $(vcm(right,x):%.17g) $(f_r[1][4]:%.17g) 1"'
+
+# Where nobody looks at bodies between two steps, the end of one and the beginning of the next are one pass: the same bits as
+# in steps in each of which something looks, with a step that changes, and with gravity, which acts on bodies as a whole.
+cat >in.looks <<'END'
+variable faces index "p p p"
+include in.scene
+fix g all gravity 9.81 vector 0 0 -1
+variable speed equal vcm(left,x)
+${look}
+run 170
+timestep 0.7e-4
+run 130
+dump d all custom 1 ${out} id x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz
+dump_modify d sort id format float %.17g
+run 0
+END
+moved() { # moved THREADS LOOK NAME
+	"$TSIM" -in in.looks -log none -threads "$1" -var look "$2" -var out "$3" >out 2>&1
+	report "bodies: $3, $1 threads" $? out
+}
+moved 1 'print nothing' none
+for threads in 1 2; do
+	moved $threads 'thermo 1' thermo
+	moved $threads 'fix p all print 3 "${speed}" screen no' print
+	moved $threads 'restart 1 step.restart' saved
+	moved $threads 'print nothing' again
+	for look in thermo print saved again; do same "bodies: $look, $threads threads: the same bits" none $look; done
+done
 finish
