@@ -9,13 +9,12 @@
 #include <string.h>
 #include <unistd.h>
 
-#ifdef TS_WITH_MPI
-#include <mpi.h>
-#endif
-
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/str.h"
+#ifdef TS_WITH_MPI
+#include "program/program_mpi.h"
+#endif
 
 #include "base/banned.h"
 
@@ -92,6 +91,7 @@ void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *repor
 
 struct mpi {
 	struct ts_world base;
+	struct ts_program_mpi mpi;
 	MPI_Comm all, trouble; /* trouble: messages of ranks that have failed */
 	MPI_Request *request;  /* [capacity] */
 	size_t capacity;
@@ -109,7 +109,7 @@ enum {
 
 static void abort_all(struct mpi *m)
 {
-	MPI_Abort(m->all, EXIT_FAILURE);
+	m->mpi.Abort(m->all, EXIT_FAILURE);
 	_exit(EXIT_FAILURE);
 }
 
@@ -120,12 +120,12 @@ static void look_for_trouble(struct mpi *m)
 	MPI_Status status;
 	int there = 0, n = 0;
 
-	MPI_Iprobe(MPI_ANY_SOURCE, 0, m->trouble, &there, &status);
+	m->mpi.Iprobe(MPI_ANY_SOURCE, 0, m->trouble, &there, &status);
 	if (!there)
 		return;
-	MPI_Get_count(&status, MPI_BYTE, &n);
-	MPI_Recv(text, n < MESSAGE ? n : MESSAGE, MPI_BYTE, status.MPI_SOURCE, 0, m->trouble,
-		 MPI_STATUS_IGNORE);
+	m->mpi.Get_count(&status, m->mpi.byte, &n);
+	m->mpi.Recv(text, n < MESSAGE ? n : MESSAGE, m->mpi.byte, status.MPI_SOURCE, 0, m->trouble,
+		    MPI_STATUS_IGNORE);
 	text[MESSAGE - 1] = '\0';
 	if (m->report)
 		m->report(m->report_data, text);
@@ -146,7 +146,7 @@ static void wait_for(struct mpi *m, MPI_Request *request, int n)
 	int done = 0, spin = 0;
 
 	for (;;) {
-		MPI_Testall(n, request, &done, MPI_STATUSES_IGNORE);
+		m->mpi.Testall(n, request, &done, MPI_STATUSES_IGNORE);
 		if (done)
 			return;
 		go_on_polling(m, &spin);
@@ -158,7 +158,7 @@ static void most(struct ts_world *world, double *value, size_t n)
 	struct mpi *m = (struct mpi *)world;
 	MPI_Request request;
 
-	MPI_Iallreduce(MPI_IN_PLACE, value, (int)n, MPI_DOUBLE, MPI_MAX, m->all, &request);
+	m->mpi.Iallreduce(MPI_IN_PLACE, value, (int)n, m->mpi.real, m->mpi.most, m->all, &request);
 	wait_for(m, &request, 1);
 }
 
@@ -171,7 +171,7 @@ static void spread(struct ts_world *world, int from, void *bytes, size_t n)
 		size_t piece = n < PIECE ? n : PIECE;
 		MPI_Request request;
 
-		MPI_Ibcast(at, (int)piece, MPI_BYTE, from, m->all, &request);
+		m->mpi.Ibcast(at, (int)piece, m->mpi.byte, from, m->all, &request);
 		wait_for(m, &request, 1);
 		at += piece;
 		n -= piece;
@@ -183,7 +183,7 @@ static void sizes(struct ts_world *world, uint64_t n, uint64_t *size)
 	struct mpi *m = (struct mpi *)world;
 	MPI_Request request;
 
-	MPI_Iallgather(&n, 1, MPI_UINT64_T, size, 1, MPI_UINT64_T, m->all, &request);
+	m->mpi.Iallgather(&n, 1, m->mpi.count, size, 1, m->mpi.count, m->all, &request);
 	wait_for(m, &request, 1);
 }
 
@@ -216,7 +216,8 @@ static enum ts_status collect(struct ts_world *world, const void *mine, const ui
 			n[r] = (int)size[r];
 			at[r] = (int)end;
 		}
-		MPI_Iallgatherv(mine, n[world->rank], MPI_BYTE, all, n, at, MPI_BYTE, m->all, &request);
+		m->mpi.Iallgatherv(mine, n[world->rank], m->mpi.byte, all, n, at, m->mpi.byte, m->all,
+				   &request);
 		wait_for(m, &request, 1);
 	}
 	ts_free(n);
@@ -228,7 +229,7 @@ static void sum(struct ts_world *world, int64_t *number, size_t n)
 	struct mpi *m = (struct mpi *)world;
 	MPI_Request request;
 
-	MPI_Iallreduce(MPI_IN_PLACE, number, (int)n, MPI_INT64_T, MPI_SUM, m->all, &request);
+	m->mpi.Iallreduce(MPI_IN_PLACE, number, (int)n, m->mpi.whole, m->mpi.sum, m->all, &request);
 	wait_for(m, &request, 1);
 }
 
@@ -249,13 +250,15 @@ static void swap(struct ts_world *world, const struct ts_parcel *out, struct ts_
 		for (size_t at = 0; r != world->rank && at < in[r].n; at += PIECE) {
 			size_t piece = in[r].n - at < PIECE ? in[r].n - at : PIECE;
 
-			MPI_Irecv(in[r].data + at, (int)piece, MPI_BYTE, r, 0, m->all, next_request(m, &n));
+			m->mpi.Irecv(in[r].data + at, (int)piece, m->mpi.byte, r, 0, m->all,
+				     next_request(m, &n));
 		}
 	for (int r = 0; r < world->n; r++)
 		for (size_t at = 0; r != world->rank && at < out[r].n; at += PIECE) {
 			size_t piece = out[r].n - at < PIECE ? out[r].n - at : PIECE;
 
-			MPI_Isend(out[r].data + at, (int)piece, MPI_BYTE, r, 0, m->all, next_request(m, &n));
+			m->mpi.Isend(out[r].data + at, (int)piece, m->mpi.byte, r, 0, m->all,
+				     next_request(m, &n));
 		}
 	wait_for(m, m->request, (int)n);
 }
@@ -267,14 +270,14 @@ static enum ts_status receive_piece(struct mpi *m, int tag, struct ts_parcel *in
 	unsigned char *to;
 	int there = 0, n = 0;
 
-	MPI_Iprobe(MPI_ANY_SOURCE, tag, m->all, &there, &status);
+	m->mpi.Iprobe(MPI_ANY_SOURCE, tag, m->all, &there, &status);
 	if (!there)
 		return TS_OK;
-	MPI_Get_count(&status, MPI_BYTE, &n);
+	m->mpi.Get_count(&status, m->mpi.byte, &n);
 	to = ts_parcel_extend(&in[status.MPI_SOURCE], (size_t)n);
 	if (!to)
 		return TS_NOMEM;
-	MPI_Recv(to, n, MPI_BYTE, status.MPI_SOURCE, tag, m->all, MPI_STATUS_IGNORE);
+	m->mpi.Recv(to, n, m->mpi.byte, status.MPI_SOURCE, tag, m->all, MPI_STATUS_IGNORE);
 	return TS_OK;
 }
 
@@ -293,18 +296,18 @@ static enum ts_status deliver(struct ts_world *world, const struct ts_parcel *ou
 		for (size_t at = 0; r != world->rank && at < out[r].n; at += PIECE) {
 			size_t piece = out[r].n - at < PIECE ? out[r].n - at : PIECE;
 
-			MPI_Issend(out[r].data + at, (int)piece, MPI_BYTE, r, tag, m->all,
-				   next_request(m, &n));
+			m->mpi.Issend(out[r].data + at, (int)piece, m->mpi.byte, r, tag, m->all,
+				      next_request(m, &n));
 		}
 	while (!done) {
 		if (receive_piece(m, tag, in) != TS_OK)
 			return TS_NOMEM;
 		if (inside)
-			MPI_Test(&barrier, &done, MPI_STATUS_IGNORE);
+			m->mpi.Test(&barrier, &done, MPI_STATUS_IGNORE);
 		else
-			MPI_Testall((int)n, m->request, &sent, MPI_STATUSES_IGNORE);
+			m->mpi.Testall((int)n, m->request, &sent, MPI_STATUSES_IGNORE);
 		if (sent && !inside)
-			MPI_Ibarrier(m->all, &barrier);
+			m->mpi.Ibarrier(m->all, &barrier);
 		inside = sent;
 		go_on_polling(m, &spin);
 	}
@@ -329,32 +332,46 @@ static bool was_started_by_launcher(void)
 	return found;
 }
 
-static struct ts_world *join(MPI_Comm all, const char **why)
+static const char not_loaded[] =
+	"the library of MPI cannot be loaded: install it (apt-get install libopenmpi3), or use threads "
+	"(OMP_NUM_THREADS)";
+
+/* Loads MPI. */
+static struct mpi *new_mpi(const char **why)
 {
 	struct mpi *m = ts_alloc(1, sizeof *m);
 
-	if (!m) {
-		*why = "out of memory";
-		return NULL;
-	}
+	if (m && ts_program_mpi_load(&m->mpi))
+		return m;
+	*why = m ? not_loaded : "out of memory";
+	ts_free(m);
+	return NULL;
+}
+
+static struct ts_world *join(struct mpi *m, MPI_Comm all)
+{
 	m->base.call = &functions;
-	MPI_Comm_dup(all, &m->all);
-	MPI_Comm_dup(all, &m->trouble);
-	MPI_Comm_rank(m->all, &m->base.rank);
-	MPI_Comm_size(m->all, &m->base.n);
+	m->mpi.Comm_dup(all, &m->all);
+	m->mpi.Comm_dup(all, &m->trouble);
+	m->mpi.Comm_rank(m->all, &m->base.rank);
+	m->mpi.Comm_size(m->all, &m->base.n);
 	return &m->base;
 }
 
 struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why)
 {
 	struct ts_world *world;
+	struct mpi *m;
 	int given;
 
 	if (!was_started_by_launcher())
 		return NULL;
-	MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
-	world = join(MPI_COMM_WORLD, why);
-	if (world && world->n == 1 && started_processes() > 1)
+	m = new_mpi(why);
+	if (!m)
+		return NULL;
+	m->mpi.Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
+	world = join(m, m->mpi.world);
+	if (world->n == 1 && started_processes() > 1)
 		*why = "mpirun has started several processes, but each of them is alone: tsim was built with "
 		       "another MPI than that of this mpirun";
 	return world;
@@ -362,15 +379,18 @@ struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **wh
 
 struct ts_world *ts_program_ranks_join(const void *communicator, const char **why)
 {
+	struct mpi *m = new_mpi(why);
 	int initialised = 0, finalised = 0;
 
-	MPI_Initialized(&initialised);
-	MPI_Finalized(&finalised);
-	if (!initialised || finalised) {
-		*why = "MPI is not initialised: call MPI_Init_thread first, or import mpi4py.MPI";
+	if (!m)
 		return NULL;
-	}
-	return join(communicator ? *(const MPI_Comm *)communicator : MPI_COMM_WORLD, why);
+	m->mpi.Initialized(&initialised);
+	m->mpi.Finalized(&finalised);
+	if (initialised && !finalised)
+		return join(m, communicator ? *(const MPI_Comm *)communicator : m->mpi.world);
+	*why = "MPI is not initialised: call MPI_Init_thread first, or import mpi4py.MPI";
+	ts_free(m);
+	return NULL;
 }
 
 void ts_program_ranks_leave(struct ts_world *world)
@@ -379,12 +399,12 @@ void ts_program_ranks_leave(struct ts_world *world)
 	MPI_Request request;
 	int finalised = 0;
 
-	MPI_Finalized(&finalised); /* by a program that closes its simulations after that */
+	m->mpi.Finalized(&finalised); /* by a program that closes its simulations after that */
 	if (!finalised) {
-		MPI_Ibarrier(m->all, &request);
+		m->mpi.Ibarrier(m->all, &request);
 		wait_for(m, &request, 1);
-		MPI_Comm_free(&m->all);
-		MPI_Comm_free(&m->trouble);
+		m->mpi.Comm_free(&m->all);
+		m->mpi.Comm_free(&m->trouble);
 	}
 	ts_free(m->request);
 	ts_free(m);
@@ -392,10 +412,13 @@ void ts_program_ranks_leave(struct ts_world *world)
 
 void ts_program_ranks_end(struct ts_world *world)
 {
+	int (*finalize)(void);
+
 	if (!world)
 		return;
+	finalize = ((struct mpi *)world)->mpi.Finalize;
 	ts_program_ranks_leave(world);
-	MPI_Finalize();
+	finalize();
 }
 
 void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data)
@@ -418,11 +441,11 @@ void ts_program_ranks_fail(struct ts_world *world, const char *message)
 			m->report(m->report_data, message);
 		abort_all(m);
 	}
-	MPI_Isend(message, (int)(n < MESSAGE ? n : MESSAGE), MPI_BYTE, 0, 0, m->trouble, &request);
+	m->mpi.Isend(message, (int)(n < MESSAGE ? n : MESSAGE), m->mpi.byte, 0, 0, m->trouble, &request);
 	while (ts_clock() - begin < PATIENCE) { /* the first rank ends this one */
 		int done;
 
-		MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+		m->mpi.Test(&request, &done, MPI_STATUS_IGNORE);
 		usleep(1000);
 	}
 	fputs(message, stderr);
