@@ -38,7 +38,7 @@ html_show_sourcelink = False
 html_show_sphinx = False
 html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
 html_theme_options = {"description": "grains, bonds, fluids, friction, wear and fracture", "fixed_sidebar": True,
-                      "page_width": "80rem", "sidebar_width": "17rem", "show_powered_by": False,
+                      "page_width": "84rem", "sidebar_width": "17rem", "show_powered_by": False,
                       "font_family": "system-ui, sans-serif", "head_font_family": "system-ui, sans-serif"}
 pygments_style = "default"
 
