@@ -10,6 +10,8 @@ import re
 import shutil
 import subprocess
 
+from docutils import nodes
+from sphinx import addnodes
 from sphinx.util import logging
 
 logger = logging.getLogger(__name__)
@@ -43,7 +45,6 @@ html_theme_options = {"description": "grains, bonds, fluids, friction, wear and 
 pygments_style = "default"
 
 
-
 def fonts():
     """DejaVu has all letters and signs of the pages; without it some signs are missing in the PDF."""
     try:
@@ -69,13 +70,18 @@ def braille():
 
 latex_engine = "xelatex"
 latex_use_xindy = False
+latex_table_style = ["booktabs", "colorrows"]
 latex_documents = [("index", "tsim.tex", "tsim: the book", author.replace("&", "and"), "manual")]
 latex_show_urls = "no"
 latex_elements = {
     "papersize": "a4paper", "pointsize": "10pt", "figure_align": "H", "extraclassoptions": "openany,oneside",
-    "fontpkg": fonts(),
+    "fontpkg": fonts(), "sphinxsetup": "hmargin={2cm,2cm}, vmargin={2.3cm,2.3cm}",
     "preamble": r"\setcounter{tocdepth}{1}\sloppy\usepackage{enumitem}\setlistdepth{9}\renewlist{itemize}{itemize}{9}"
-                r"\setlist[itemize]{label=\textbullet}" + braille(),
+                r"\setlist[itemize]{label=\textbullet}\makeatletter\renewcommand\@pnumwidth{2.2em}\makeatother"
+                # long words of scripts may be broken behind | and _
+                r"\renewcommand\sphinxbreaksafteractivelist{\do\.\do\,\do\;\do\?\do\!\do\/\do\|}"
+                r"\AtBeginDocument{\let\wholeunderscore\_\protected\def\_{\wholeunderscore\discretionary{}{}{}}}"
+                + braille(),
 }
 
 # ---- contents, links and index: the text before Sphinx reads it
@@ -218,7 +224,6 @@ mathml.known = {}
 
 def formulas_of_page(app, tree, name):
     """All formulas of a page by one run of pandoc, a paragraph each; what it complains of is made one by one."""
-    from docutils import nodes
     if app.builder.format != "html":
         return
     keys = [(node.astext(), isinstance(node, nodes.math_block)) for node in tree.findall()
@@ -232,20 +237,17 @@ def formulas_of_page(app, tree, name):
 
 def visit_inline(self, node):
     self.body.append(mathml(node.astext(), False))
-    from docutils.nodes import SkipNode
-    raise SkipNode
+    raise nodes.SkipNode
 
 
 def visit_display(self, node):
     self.body.append(f'<div class="formula">{mathml(node.astext(), True)}</div>\n')
-    from docutils.nodes import SkipNode
-    raise SkipNode
+    raise nodes.SkipNode
 
 
 # ---- pictures of the PDF: drawings as pixels, where there is a program for it
 
 def pictures_for_latex(app, tree):
-    from docutils import nodes
     if app.builder.format != "latex":
         return
     for image in list(tree.findall(nodes.image)):
@@ -269,21 +271,63 @@ def pictures_for_latex(app, tree):
         image["candidates"] = {"*": image["uri"]}
 
 
-# ---- long tables of the PDF: columns as wide as their texts need, within the page
+# ---- tables of the PDF: columns as wide as their texts need, in a type that is small enough for the page
 
-def tables_for_latex(app, tree):
-    from docutils import nodes
+TYPES = [("", 84), (r"\footnotesize", 104), (r"\scriptsize", 120)]  # letters in a line
+GAP = 2  # letters between two columns
+
+
+def letters(text):
+    """How many small letters are as wide."""
+    return len(text) + 0.4 * sum(c.isupper() for c in text)
+
+
+def widths(table):
+    """Of each column the longest text, and the longest part that is not broken, both in letters."""
+    columns = len(list(table.findall(nodes.colspec)))
+    whole, word = [1] * columns, [1] * columns
+    for row in table.findall(nodes.row):
+        for k, entry in enumerate(row.children[:columns]):
+            text = entry.astext()
+            breaks = r"[\s_/|.,]" if entry.next_node(nodes.literal) else r"[\s_-]"
+            parts = re.split(breaks, text) + [node.astext()[:len(node.astext()) * 2 // 3] for node in entry.findall(nodes.math)]
+            whole[k] = max(whole[k], letters(text))
+            word[k] = max(word[k], *(letters(part) + 1 for part in parts))
+    return whole, word
+
+
+def layout(table):
+    """The type, and what LaTeX is to know of the columns."""
+    whole, word = widths(table)
+    gaps = GAP * len(whole)
+    for size, line in TYPES[:2]:
+        if sum(whole) + gaps <= line:
+            return size, "l" * len(whole)
+    for size, line in TYPES[len(whole) > 3:]:
+        if sum(word) + gaps <= line:
+            break
+    spare = max(line - gaps - sum(word), 0)
+    wanted = [a - b if a > b else 0 for a, b in zip(whole, word)]
+    # a column of long texts does not take all from those of short ones
+    wanted = [w ** 0.6 for w in wanted]
+    share = [b + spare * w / max(sum(wanted), 1) for b, w in zip(word, wanted)]
+    share = [min(s, a + 1) for s, a in zip(share, whole)]
+    room = max(sum(share) + gaps, line) * 1.04
+    return size, "".join(rf">{{\raggedright\arraybackslash}}p{{{s / room:.4f}\linewidth}}" for s in share)
+
+
+def tables_for_latex(app, tree, name):
     if app.builder.format != "latex":
         return
-    for table in tree.findall(nodes.table):
-        rows = [[len(entry.astext()) for entry in row.children] for row in table.findall(nodes.row)]
-        if len(rows) <= 30:
-            continue
-        columns = list(table.findall(nodes.colspec))
-        for k, column in enumerate(columns):
-            longest = max(row[k] for row in rows if k < len(row))
-            column["colwidth"] = min(max(longest, 6), 60)
-        table["classes"].append("colwidths-given")
+    for table in list(tree.findall(nodes.table)):
+        size, columns = layout(table)
+        if len(list(table.findall(nodes.row))) > 12:
+            table["classes"].append("longtable")
+        around = table.parent, table.parent.index(table)
+        around[0].insert(around[1] + 1, nodes.raw("", r"\endgroup", format="latex"))
+        around[0].insert(around[1], [
+            nodes.raw("", rf"\begingroup{size}\setlength{{\tabcolsep}}{{{GAP * 2}pt}}", format="latex"),
+            addnodes.tabular_col_spec(spec=columns)])
 
 
 def setup(app):
@@ -291,7 +335,7 @@ def setup(app):
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_display, None))
     app.connect("source-read", before_reading)
     app.connect("doctree-read", pictures_for_latex)
-    app.connect("doctree-read", tables_for_latex)
+    app.connect("doctree-resolved", tables_for_latex)
     app.connect("doctree-resolved", formulas_of_page)
 
 
