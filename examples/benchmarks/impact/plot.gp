@@ -22,7 +22,7 @@ plot x with lines ls 9 title 'exact', \
 
 set title '4: oblique'
 set xrange [0:90]; set yrange [0.5:1.05]
-set xlabel 'angle of impact'; set ylabel 'tangential restitution'
+set xlabel 'angle of impact, degrees'; set ylabel 'tangential restitution'
 mu = 0.092; e = 0.98
 plot x > 30 ? 1-mu*(1+e)/tan(x/deg) : 1/0 with lines ls 9 title 'sliding', \
 	of(4, 'oxide') using (atan2($5,$4)*deg):($8/$5) with lines ls 1 title 'aluminium oxide', \
@@ -37,7 +37,7 @@ plot x > 30 ? 2.5*mu*(1+e)*3.9*cos(x/deg)/0.0025 : 1/0 with lines ls 9 title 'sl
 	'kharaz2001.txt' index 1 with points ls 3 title 'measured (oxide)'
 
 set yrange [0:90]
-set ylabel 'angle of rebound'
+set ylabel 'angle of rebound, degrees'
 plot of(4, 'oxide') using (atan2($5,$4)*deg):(atan2($8,$7*$4)*deg) with lines ls 1 title 'aluminium oxide', \
 	of(4, 'alloy') using (atan2($5,$4)*deg):(atan2($8,$7*$4)*deg) with lines ls 2 title 'aluminium alloy', \
 	'kharaz2001.txt' index 2 with points ls 3 title 'measured (oxide)'
