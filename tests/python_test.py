@@ -4,6 +4,7 @@ import gc
 import io
 import math
 import os
+import re
 import sys
 import tempfile
 import threading
@@ -528,8 +529,37 @@ class Pictures(Case):
         self.assertEqual(shown[-1], "")
 
 
+# public methods of the class `lammps` of LAMMPS' Python module of January 2022, and of its `numpy`
+METHODS = """
+accelerator_config available_ids available_plugins available_styles close command commands_list commands_string
+create_atoms decode_image_flags encode_image_flags extract_atom extract_atom_datatype extract_box extract_compute
+extract_fix extract_global extract_global_datatype extract_setting extract_variable file finalize
+find_compute_neighlist find_fix_neighlist find_pair_neighlist fix_external_get_force fix_external_set_energy_global
+fix_external_set_energy_peratom fix_external_set_vector fix_external_set_vector_length fix_external_set_virial_global
+fix_external_set_virial_peratom force_timeout gather gather_atoms gather_atoms_concat gather_atoms_subset gather_bonds
+gather_concat gather_subset get_gpu_device_info get_mpi_comm get_natoms get_neighlist get_neighlist_element_neighbors
+get_neighlist_size get_os_info get_thermo has_exceptions has_ffmpeg_support has_gpu_device has_gzip_support has_id
+has_jpeg_support has_mpi_support has_png_support has_style installed_packages is_running numpy reset_box scatter
+scatter_atoms scatter_atoms_subset scatter_subset set_fix_external_callback set_variable version
+""".split()
+NUMPY_METHODS = """
+extract_atom extract_compute extract_fix extract_variable fix_external_get_force fix_external_set_energy_peratom
+fix_external_set_virial_peratom gather_bonds get_neighlist get_neighlist_element_neighbors
+""".split()
+
+
 class Lammps(Case):
     """The names of LAMMPS and LIGGGHTS."""
+
+    def test_all_names(self):
+        self.assertEqual([len(METHODS), len(NUMPY_METHODS)], [68, 10])
+        self.assertEqual([name for name in METHODS if not callable(getattr(self.sim, name, None))
+                          and not isinstance(getattr(tsim.lammps, name, None), property)], [])
+        self.assertEqual([name for name in NUMPY_METHODS if not callable(getattr(self.sim.numpy, name, None))], [])
+        manual = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "doc", "python.md")
+        with open(manual, encoding="utf-8") as file:
+            words = set(re.findall(r"\w+", file.read()))
+        self.assertEqual(sorted(set(METHODS + NUMPY_METHODS) - words), [])
 
     def setUp(self):
         self.sim = tsim.lammps(cmdargs=["-log", "none", "-screen", "none", "-var", "n", "3",
@@ -792,7 +822,7 @@ class Lammps(Case):
         lmp.command("run 1")
         self.assertEqual(lmp.gather_atoms("f", 1, 3)[0], 0)  # its group is empty
         lmp.commands_string("unfix held\nfix held all external pf/array 1")
-        for row in lmp.fix_external_get_force("held"):
+        for row in lmp.numpy.fix_external_get_force("held"):
             row[0] = 2.0
         lmp.command("run 1")
         self.assertEqual(lmp.gather_atoms("f", 1, 3)[0], 2)

@@ -16,6 +16,7 @@ from ._neighbours import NeighbourNames, NeighList
 from ._numbers import _integers, numpy
 from ._results import TsimError
 
+LAMMPS_AUTODETECT = None
 LAMMPS_INT, LAMMPS_INT_2D, LAMMPS_DOUBLE, LAMMPS_DOUBLE_2D = 0, 1, 2, 3
 LAMMPS_INT64, LAMMPS_INT64_2D, LAMMPS_STRING = 4, 5, 6
 LMP_STYLE_GLOBAL, LMP_STYLE_ATOM, LMP_STYLE_LOCAL = 0, 1, 2
@@ -131,6 +132,18 @@ class NumpyNames:
     def get_neighlist_element_neighbors(self, idx: int, element: int) -> Any:
         """(particle, array of its neighbours) of one row of the contact list."""
         return NeighList(self._sim, idx, True).get(element)
+
+    def fix_external_get_force(self, fix_id: str) -> Any:
+        """The forces of a `fix external`, to be written to."""
+        return self._sim.fix_external_get_force(fix_id)
+
+    def fix_external_set_energy_peratom(self, fix_id: str, eatom: Any) -> None:
+        """The energy of each particle."""
+        self._sim.fix_external_set_energy_peratom(fix_id, eatom)
+
+    def fix_external_set_virial_peratom(self, fix_id: str, vatom: Any) -> None:
+        """Refused."""
+        self._sim.fix_external_set_virial_peratom(fix_id, vatom)
 
 
 class LammpsNames(NeighbourNames, ExternalNames):
