@@ -80,6 +80,12 @@ library_sources = \
 	src/average/particle_tally.h \
 	src/average/reduce.c \
 	src/average/reduce.h \
+	src/balance/balance.c \
+	src/balance/balance.h \
+	src/balance/command_balance.c \
+	src/balance/fix_balance.c \
+	src/balance/weights.c \
+	src/balance/weights.h \
 	src/base/alloc.c \
 	src/base/alloc.h \
 	src/base/banned.h \
@@ -197,7 +203,6 @@ library_sources = \
 	src/bond/fix_bond_store_local.c \
 	src/box/comm.c \
 	src/box/comm.h \
-	src/box/command_balance.c \
 	src/box/command_boundary.c \
 	src/box/command_box.c \
 	src/box/command_change_box.c \
@@ -215,7 +220,6 @@ library_sources = \
 	src/box/command_units.c \
 	src/box/domain.c \
 	src/box/domain.h \
-	src/box/fix_balance.c \
 	src/box/fix_deform.c \
 	src/box/lattice.c \
 	src/box/lattice.h \
@@ -1206,6 +1210,8 @@ library_sources = \
 	src/polish/wafer.h \
 	src/rank/blocks.c \
 	src/rank/blocks.h \
+	src/rank/loads.c \
+	src/rank/loads.h \
 	src/rank/world.c \
 	src/rank/world.h \
 	src/region/command_region.c \

@@ -72,6 +72,7 @@ slow_tests = \
 	tests/library/python_types.sh \
 	tests/library/wheel.sh \
 	tests/bench/race.sh \
+	tests/rank/balance.sh \
 	tests/rank/contract_ranks.sh \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \

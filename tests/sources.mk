@@ -198,6 +198,7 @@ shell_tests = \
 	tests/program/kill.sh \
 	tests/program/sandbox.sh \
 	tests/program/signal.sh \
+	tests/rank/balance.sh \
 	tests/rank/contract.sh \
 	tests/rank/contract_ranks.sh \
 	tests/rank/plan.sh \
@@ -337,6 +338,7 @@ unit_tests = \
 	tests/polish/check_wafer \
 	tests/program/check_crosscheck \
 	tests/rank/check_blocks \
+	tests/rank/check_loads \
 	tests/render/check_render \
 	tests/report/check_rows \
 	tests/rigid/check_rigid \
@@ -717,6 +719,10 @@ tests_program_check_crosscheck_LDADD = $(tests_ldadd)
 tests_rank_check_blocks_SOURCES = tests/rank/check_blocks.c
 tests_rank_check_blocks_CFLAGS = $(tests_cflags)
 tests_rank_check_blocks_LDADD = $(tests_ldadd)
+
+tests_rank_check_loads_SOURCES = tests/rank/check_loads.c
+tests_rank_check_loads_CFLAGS = $(tests_cflags)
+tests_rank_check_loads_LDADD = $(tests_ldadd)
 
 tests_render_check_render_SOURCES = tests/render/check_render.c
 tests_render_check_render_CFLAGS = $(tests_cflags)

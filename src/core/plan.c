@@ -166,6 +166,8 @@ static void read_stopwatch(struct ts_stopwatch *watch, struct tsim *sim, enum ts
 
 	watch->spent[stage] += now - watch->last - sim->deferred.spent;
 	watch->spent[TS_STAGE_INITIAL_INTEGRATE] += sim->deferred.spent;
+	if (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE)
+		sim->run.force_ticks += now - watch->last - sim->deferred.spent;
 	watch->last = now;
 	sim->deferred.spent = 0;
 }
@@ -333,6 +335,7 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 
 	ts_settings_log_run(sim);
 	sim->run.inside = true;
+	sim->run.force_ticks = 0;
 	plan->watch.last = ts_ticks();
 	sim->clock.wall_start = ts_clock();
 	if (setup || sim->reading.explain)

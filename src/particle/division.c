@@ -30,15 +30,10 @@ static double filled_length(double (*x)[3], size_t n, int d, double box_length)
 	return n ? fmax(x[n - 1 - few][d] - x[few][d], 1e-3 * box_length) : box_length;
 }
 
-static enum ts_status choose_grid(struct tsim *sim, int ranks, double (*x)[3], size_t n, int count[3])
+static enum ts_status find_grid(struct tsim *sim, int ranks, const double length[3], int count[3])
 {
 	const struct ts_domain *domain = sim->domain;
-	double length[3];
 
-	for (int k = 0; k < 3; k++) {
-		ts_rank_points_sort(x, n, k);
-		length[k] = filled_length(x, n, k, domain->held_hi[k] - domain->held_lo[k]);
-	}
 	if (ts_rank_blocks_choose(ranks, domain->processors, length, sim->dimension, count))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 0, NULL),
@@ -46,22 +41,40 @@ static enum ts_status choose_grid(struct tsim *sim, int ranks, double (*x)[3], s
 		       ranks, domain->processors[0], domain->processors[1], domain->processors[2]);
 }
 
-enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
+static enum ts_status choose_grid(struct tsim *sim, int ranks, double (*x)[3], size_t n, const double lo[3],
+				  const double hi[3], int count[3])
+{
+	double length[3];
+
+	for (int k = 0; k < 3; k++) {
+		ts_rank_points_sort(x, n, k);
+		length[k] = filled_length(x, n, k, hi[k] - lo[k]);
+	}
+	return find_grid(sim, ranks, length, count);
+}
+
+static void find_periodic(const struct tsim *sim, bool periodic[3])
+{
+	for (int k = 0; k < 3; k++)
+		periodic[k] = ts_box_periodic(&sim->domain->box, k);
+}
+
+/* Blocks of the space between lo and hi, with the same number of the particles at x. */
+static enum ts_status cut_space(struct tsim *sim, int ranks, double (*at)[3], const double lo[3],
+				const double hi[3], struct ts_rank_blocks *blocks)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_domain *domain = sim->domain;
 	double(*x)[3] = ts_alloc(p->n, sizeof *x);
 	bool periodic[3];
 	int count[3];
 	enum ts_status status = x ? TS_OK : ts_nomem(&sim->error);
 
-	for (int k = 0; k < 3; k++)
-		periodic[k] = ts_box_periodic(&domain->box, k);
+	find_periodic(sim, periodic);
 	if (x && p->n)
-		memcpy(x, p->xhold, p->n * sizeof *x);
+		memcpy(x, at, p->n * sizeof *x);
 	if (status == TS_OK)
-		status = choose_grid(sim, ranks, x, p->n, count);
-	if (status == TS_OK && !ts_rank_blocks_cut(blocks, count, domain->held_lo, domain->held_hi, periodic))
+		status = choose_grid(sim, ranks, x, p->n, lo, hi, count);
+	if (status == TS_OK && !ts_rank_blocks_cut(blocks, count, lo, hi, periodic))
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)
 		ts_rank_blocks_balance(blocks, x, p->n);
@@ -69,19 +82,28 @@ enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_block
 	return status;
 }
 
-/* Whether the present blocks are those of the script's grid and box. */
-static bool blocks_fit(const struct tsim *sim, struct ts_division *d)
+enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
 {
 	const struct ts_domain *domain = sim->domain;
 
-	for (int k = 0; k < 3; k++) {
-		int given = domain->processors[k];
+	return cut_space(sim, ranks, sim->particles->xhold, domain->held_lo, domain->held_hi, blocks);
+}
 
-		if (!d->blocks.cut[k] || (given && given != d->blocks.count[k]) ||
-		    d->blocks.periodic[k] != ts_box_periodic(&domain->box, k))
+/* Whether the present blocks are those of the script's grid and box. */
+static bool blocks_fit(const struct tsim *sim, struct ts_division *d, const double lo[3], const double hi[3])
+{
+	const struct ts_rank_blocks *blocks = &d->blocks;
+
+	if (!blocks->bisection && !blocks->cut[0])
+		return false;
+	for (int k = 0; k < 3; k++) {
+		int given = blocks->bisection ? 0 : sim->domain->processors[k];
+
+		if ((given && given != blocks->count[k]) ||
+		    blocks->periodic[k] != ts_box_periodic(&sim->domain->box, k))
 			return false;
 	}
-	ts_rank_blocks_fit(&d->blocks, domain->held_lo, domain->held_hi);
+	ts_rank_blocks_fit(&d->blocks, lo, hi);
 	return true;
 }
 
@@ -101,15 +123,24 @@ static size_t find_owners(const struct tsim *sim, const struct ts_division *d, i
 	return most;
 }
 
+/* Whether a block with n particles has this much more than when the blocks were cut. */
+static bool is_uneven(const struct ts_division *d, double factor, double n)
+{
+	return !d->held && n > factor * (double)d->cut_most + FEW;
+}
+
 /* All ranks have the same particles, and choose the same blocks. */
 static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, int32_t *owner)
 {
-	size_t *n = ts_alloc((size_t)d->ranks, sizeof *n);
+	size_t *n = ts_alloc((size_t)d->ranks, sizeof *n), most = 0;
 	enum ts_status status = n ? TS_OK : ts_nomem(&sim->error);
+	bool fit = blocks_fit(sim, d, sim->domain->held_lo, sim->domain->held_hi);
 
 	sim->run.uneven = false;
-	if (status == TS_OK && (!blocks_fit(sim, d) ||
-				(double)find_owners(sim, d, owner, n) > UNEVEN * (double)d->cut_most + FEW)) {
+	d->held &= fit;
+	if (status == TS_OK && fit)
+		most = find_owners(sim, d, owner, n);
+	if (status == TS_OK && (!fit || is_uneven(d, UNEVEN, (double)most))) {
 		status = ts_division_cut(sim, sim->world->n, &d->blocks);
 		if (status == TS_OK)
 			d->cut_most = find_owners(sim, d, owner, n);
@@ -256,7 +287,7 @@ static enum ts_status send_leaving(struct tsim *sim, int32_t *to, unsigned char 
 	most[0] = leaving->n || ts_turning_found(d);
 	most[1] = (double)sim->particles->n;
 	ts_world_most(sim->world, most, 2);
-	sim->run.uneven |= most[1] > VERY_UNEVEN * (double)d->cut_most + FEW;
+	sim->run.uneven |= is_uneven(d, VERY_UNEVEN, most[1]);
 	if (!(most[0] > 0))
 		return TS_OK;
 	TS_TRY(ts_carrier_rows_give(sim, d, false, leaving));
@@ -327,13 +358,44 @@ static enum ts_status keep_own_particles(struct tsim *sim, struct ts_division *d
 
 static enum ts_status make_division(struct tsim *sim)
 {
-	struct ts_division *d = ts_alloc(1, sizeof *d);
+	struct ts_division *d;
 
+	if (sim->particles->division)
+		return TS_OK;
+	d = ts_alloc(1, sizeof *d);
 	sim->particles->division = d;
 	if (!d)
 		return ts_nomem(&sim->error);
 	d->ranks = sim->world->n;
 	return ts_copies_init(&d->copies, d->ranks) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_division_blocks(struct tsim *sim, struct ts_rank_blocks **blocks)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	struct ts_division *d;
+
+	TS_TRY(make_division(sim));
+	d = p->division;
+	*blocks = &d->blocks;
+	if (blocks_fit(sim, d, box->lo, box->hi))
+		return TS_OK;
+	d->held = false;
+	d->cut_most = p->n / (size_t)d->ranks;
+	return cut_space(sim, d->ranks, p->x, box->lo, box->hi, &d->blocks);
+}
+
+enum ts_status ts_division_cut_equal(struct tsim *sim, struct ts_rank_blocks *blocks)
+{
+	const struct ts_box *box = &sim->domain->box;
+	const double length[3] = { ts_box_length(box, 0), ts_box_length(box, 1), ts_box_length(box, 2) };
+	bool periodic[3];
+	int count[3];
+
+	find_periodic(sim, periodic);
+	TS_TRY(find_grid(sim, ts_rank_blocks_number(blocks), length, count));
+	return ts_rank_blocks_cut(blocks, count, box->lo, box->hi, periodic) ? TS_OK : ts_nomem(&sim->error);
 }
 
 static void keep_warning(void *data, enum ts_log_level level, const char *text)
@@ -429,8 +491,7 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 {
 	struct ts_division *d;
 
-	if (!sim->particles->division)
-		TS_TRY(make_division(sim));
+	TS_TRY(make_division(sim));
 	d = sim->particles->division;
 	ts_deferred_loops_run(sim);
 	if (sim->run.looks) {
@@ -512,7 +573,7 @@ static bool blocks_are_uneven(struct tsim *sim, struct ts_division *d)
 	ts_world_most(sim->world, n, 2);
 	d->most = (size_t)n[0];
 	d->least = (size_t)-n[1];
-	return n[0] > UNEVEN * (double)d->cut_most + FEW;
+	return is_uneven(d, UNEVEN, n[0]);
 }
 
 /* All ranks get all particles and the rows of all carriers, and make the lists again. */

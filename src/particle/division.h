@@ -25,6 +25,7 @@ struct ts_division {
 	int ranks;
 	struct ts_rank_blocks blocks;
 	size_t cut_most; /* particles of the block that had most when the blocks were cut */
+	bool held; /* the blocks are those of the command or fix balance: they are not cut again for the numbers */
 	struct ts_copies copies;
 	struct ts_carried *carried; /* [ncarried], by live style with a carrier */
 	size_t ncarried, carried_capacity;
@@ -57,6 +58,11 @@ void ts_division_agree_lost(struct tsim *sim, int64_t before);
 /* Cuts the box into a block for each of so many ranks, with the same number of particles; by the positions at the last
  * rebuild. */
 enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks);
+
+/* The blocks of the present ranks, for the commands that change them; made if there are none that fit the box. */
+enum ts_status ts_division_blocks(struct tsim *sim, struct ts_rank_blocks **blocks);
+/* A grid of equal blocks instead. */
+enum ts_status ts_division_cut_equal(struct tsim *sim, struct ts_rank_blocks *blocks);
 
 /* Whether the coordinate x is within `reach` of the block of this rank; without ranks always. */
 bool ts_division_near(const struct tsim *sim, int dim, double x, double reach);

@@ -40,8 +40,7 @@ static size_t parts_along(const int count[3], int d)
 	return n;
 }
 
-/* The faces along d of the part that has block k[0], k[1], k[2]. */
-static double *faces_of(const struct ts_rank_blocks *blocks, int d, const int k[3])
+double *ts_rank_blocks_faces(const struct ts_rank_blocks *blocks, int d, const int k[3])
 {
 	size_t part = 0;
 
@@ -50,16 +49,32 @@ static double *faces_of(const struct ts_rank_blocks *blocks, int d, const int k[
 	return blocks->cut[d] + part * ((size_t)blocks->count[d] + 1);
 }
 
+static void set_box(struct ts_rank_blocks *blocks, const double lo[3], const double hi[3])
+{
+	for (int d = 0; d < 3; d++) {
+		blocks->lo[d] = lo[d];
+		blocks->length[d] = hi[d] - lo[d];
+	}
+}
+
+static void begin(struct ts_rank_blocks *blocks, const int count[3], const double lo[3], const double hi[3],
+		  const bool periodic[3])
+{
+	ts_rank_blocks_release(blocks);
+	set_box(blocks, lo, hi);
+	for (int d = 0; d < 3; d++) {
+		blocks->count[d] = count[d];
+		blocks->periodic[d] = periodic[d];
+	}
+}
+
 bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const double lo[3],
 			const double hi[3], const bool periodic[3])
 {
-	ts_rank_blocks_release(blocks);
+	begin(blocks, count, lo, hi, periodic);
 	for (int d = 0; d < 3; d++) {
 		size_t parts = parts_along(count, d), n = (size_t)count[d] + 1;
 
-		blocks->count[d] = count[d];
-		blocks->length[d] = hi[d] - lo[d];
-		blocks->periodic[d] = periodic[d];
 		blocks->cut[d] = ts_alloc(parts * n, sizeof *blocks->cut[d]);
 		if (!blocks->cut[d])
 			return false;
@@ -70,12 +85,22 @@ bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const
 	return true;
 }
 
+bool ts_rank_blocks_bisect(struct ts_rank_blocks *blocks, int n, const double lo[3], const double hi[3],
+			   const bool periodic[3])
+{
+	begin(blocks, (const int[3]){ n, 1, 1 }, lo, hi, periodic);
+	blocks->bisection = ts_alloc((size_t)n, sizeof *blocks->bisection);
+	for (int m = 0; blocks->bisection && m < n - 1; m++)
+		blocks->bisection[m] = (struct ts_rank_cut){ 0, lo[0] + (hi[0] - lo[0]) * (m + 1) / n };
+	return blocks->bisection;
+}
+
 void ts_rank_blocks_fit(struct ts_rank_blocks *blocks, const double lo[3], const double hi[3])
 {
-	for (int d = 0; d < 3; d++) {
+	set_box(blocks, lo, hi);
+	for (int d = 0; d < 3 && !blocks->bisection; d++) {
 		size_t n = (size_t)blocks->count[d] + 1;
 
-		blocks->length[d] = hi[d] - lo[d];
 		for (size_t part = 0; part < parts_along(blocks->count, d); part++) {
 			blocks->cut[d][part * n] = lo[d];
 			blocks->cut[d][part * n + n - 1] = hi[d];
@@ -142,7 +167,7 @@ static void balance_part(struct ts_rank_blocks *blocks, double (*x)[3], size_t n
 	if (d == 3 || n == 0)
 		return;
 	ts_rank_points_sort(x, n, d);
-	face = faces_of(blocks, d, k);
+	face = ts_rank_blocks_faces(blocks, d, k);
 	for (k[d] = 0; k[d] < blocks->count[d]; k[d]++) {
 		size_t last = n;
 
@@ -167,6 +192,7 @@ void ts_rank_blocks_release(struct ts_rank_blocks *blocks)
 {
 	for (int d = 0; d < 3; d++)
 		ts_free(blocks->cut[d]);
+	ts_free(blocks->bisection);
 	*blocks = (struct ts_rank_blocks){ 0 };
 }
 
@@ -187,69 +213,118 @@ static int block_along(const double *face, int count, double x)
 	return lo;
 }
 
+/* The first rank, and their number, of the lower or upper half of these. */
+static void go_down(int *first, int *n, bool upper)
+{
+	int below = *n / 2;
+
+	*first += upper ? below : 0;
+	*n = upper ? *n - below : below;
+}
+
+static int find_leaf(const struct ts_rank_blocks *blocks, const double x[3])
+{
+	int first = 0, n = blocks->count[0];
+
+	while (n > 1) {
+		const struct ts_rank_cut *cut = &blocks->bisection[first + n / 2 - 1];
+
+		go_down(&first, &n, x[cut->dim] >= cut->at);
+	}
+	return first;
+}
+
 int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3])
 {
 	int k[3] = { 0 };
 
+	if (blocks->bisection)
+		return find_leaf(blocks, x);
 	for (int d = 0; d < 3; d++)
-		k[d] = block_along(faces_of(blocks, d, k), blocks->count[d], x[d]);
+		k[d] = block_along(ts_rank_blocks_faces(blocks, d, k), blocks->count[d], x[d]);
 	return k[0] + blocks->count[0] * (k[1] + blocks->count[1] * k[2]);
 }
 
 /* Block k[d] of its part; the blocks along the dimensions that follow do not matter. */
-static bool is_near(const struct ts_rank_blocks *blocks, const int k[3], int d, double x, double reach)
+static struct ts_rank_side side_of_grid(const struct ts_rank_blocks *blocks, const int k[3], int d)
 {
-	const double *face = faces_of(blocks, d, k) + k[d];
-	bool first = k[d] == 0 && !blocks->periodic[d],
-	     last = k[d] == blocks->count[d] - 1 && !blocks->periodic[d];
+	const double *face = ts_rank_blocks_faces(blocks, d, k) + k[d];
+	const bool closed = blocks->periodic[d];
 
-	return (first || x >= face[0] - reach) && (last || x <= face[1] + reach);
+	return (struct ts_rank_side){ { face[0], face[1] },
+				      { k[d] == 0 && !closed, k[d] == blocks->count[d] - 1 && !closed } };
 }
 
-static bool image_is_near(const struct ts_rank_blocks *blocks, const int k[3], int d, double x, double reach)
+static struct ts_rank_side whole_side(const struct ts_rank_blocks *blocks, int d)
+{
+	const bool open = !blocks->periodic[d];
+
+	return (struct ts_rank_side){ { blocks->lo[d], blocks->lo[d] + blocks->length[d] }, { open, open } };
+}
+
+static struct ts_rank_side half_of(struct ts_rank_side side, double at, bool upper)
+{
+	side.face[!upper] = at;
+	side.open[!upper] = false;
+	return side;
+}
+
+static struct ts_rank_side side_of_leaf(const struct ts_rank_blocks *blocks, int rank, int d)
+{
+	struct ts_rank_side side = whole_side(blocks, d);
+	int first = 0, n = blocks->count[0];
+
+	while (n > 1) {
+		const struct ts_rank_cut *cut = &blocks->bisection[first + n / 2 - 1];
+		bool upper = rank >= first + n / 2;
+
+		if (cut->dim == d)
+			side = half_of(side, cut->at, upper);
+		go_down(&first, &n, upper);
+	}
+	return side;
+}
+
+static bool is_near(const struct ts_rank_side *side, double x, double reach)
+{
+	return (side->open[0] || x >= side->face[0] - reach) && (side->open[1] || x <= side->face[1] + reach);
+}
+
+static bool image_is_near(const struct ts_rank_blocks *blocks, struct ts_rank_side side, int d, double x,
+			  double reach)
 {
 	double length = blocks->length[d];
 
-	return is_near(blocks, k, d, x, reach) ||
-	       (blocks->periodic[d] &&
-		(is_near(blocks, k, d, x - length, reach) || is_near(blocks, k, d, x + length, reach)));
+	return is_near(&side, x, reach) || (blocks->periodic[d] && (is_near(&side, x - length, reach) ||
+								    is_near(&side, x + length, reach)));
 }
 
-static void find_block(const struct ts_rank_blocks *blocks, int rank, int k[3])
+struct ts_rank_side ts_rank_blocks_side(const struct ts_rank_blocks *blocks, int rank, int d)
 {
-	const int *n = blocks->count;
+	const int *n = blocks->count, k[3] = { rank % n[0], rank / n[0] % n[1], rank / n[0] / n[1] };
 
-	k[0] = rank % n[0];
-	k[1] = rank / n[0] % n[1];
-	k[2] = rank / n[0] / n[1];
+	return blocks->bisection ? side_of_leaf(blocks, rank, d) : side_of_grid(blocks, k, d);
 }
 
 bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach)
 {
-	int k[3];
+	const struct ts_rank_side side = ts_rank_blocks_side(blocks, rank, d);
 
-	find_block(blocks, rank, k);
-	return is_near(blocks, k, d, x, reach);
+	return is_near(&side, x, reach);
 }
 
 bool ts_rank_blocks_reach(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach)
 {
-	int k[3];
-
-	find_block(blocks, rank, k);
 	for (int d = 0; d < 3; d++)
-		if (!image_is_near(blocks, k, d, x[d], reach))
+		if (!image_is_near(blocks, ts_rank_blocks_side(blocks, rank, d), d, x[d], reach))
 			return false;
 	return true;
 }
 
 bool ts_rank_blocks_inside(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach)
 {
-	int k[3];
-
-	find_block(blocks, rank, k);
 	for (int d = 0; d < 3; d++)
-		if (!is_near(blocks, k, d, x[d], -reach))
+		if (!ts_rank_blocks_near(blocks, rank, d, x[d], -reach))
 			return false;
 	return true;
 }
@@ -271,15 +346,41 @@ static void visit_part(const struct visitor *v, int d, int k[3])
 		return;
 	}
 	for (k[d] = 0; k[d] < n[d]; k[d]++)
-		if (image_is_near(v->blocks, k, d, v->x[d], v->reach))
+		if (image_is_near(v->blocks, side_of_grid(v->blocks, k, d), d, v->x[d], v->reach))
 			visit_part(v, d + 1, k);
+}
+
+/* The ranks first .. first + n - 1, which have this part of the box. */
+static void visit_halves(const struct visitor *v, int first, int n, const struct ts_rank_side side[3])
+{
+	const struct ts_rank_cut *cut;
+
+	if (n == 1) {
+		v->visit(v->context, first);
+		return;
+	}
+	cut = &v->blocks->bisection[first + n / 2 - 1];
+	for (int upper = 0; upper < 2; upper++) {
+		struct ts_rank_side half[3] = { side[0], side[1], side[2] };
+		int from = first, ranks = n;
+
+		half[cut->dim] = half_of(half[cut->dim], cut->at, upper);
+		go_down(&from, &ranks, upper);
+		if (image_is_near(v->blocks, half[cut->dim], cut->dim, v->x[cut->dim], v->reach))
+			visit_halves(v, from, ranks, half);
+	}
 }
 
 void ts_rank_blocks_visit(const struct ts_rank_blocks *blocks, const double x[3], double reach,
 			  ts_rank_visit_fn *visit, void *context)
 {
 	const struct visitor v = { blocks, x, reach, visit, context };
+	const struct ts_rank_side side[3] = { whole_side(blocks, 0), whole_side(blocks, 1),
+					      whole_side(blocks, 2) };
 	int k[3] = { 0 };
 
-	visit_part(&v, 0, k);
+	if (blocks->bisection)
+		visit_halves(&v, 0, blocks->count[0], side);
+	else
+		visit_part(&v, 0, k);
 }

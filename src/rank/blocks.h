@@ -1,5 +1,5 @@
-/* Blocks of space: the box is cut into Px x Py x Pz blocks, one for each rank: into Px slabs along x, each of these into
- * Py along y at places of its own, and each of these into Pz along z. */
+/* Blocks of space, one for each rank: the box is cut into Px x Py x Pz of them - into Px slabs along x, each of these into
+ * Py along y at places of its own, and each of these into Pz along z - or by recursive bisection. */
 #ifndef TS_RANK_BLOCKS_H
 #define TS_RANK_BLOCKS_H
 
@@ -8,13 +8,33 @@
 
 enum { TS_BLOCKS_MOST = 4096 }; /* ranks along one dimension */
 
+/* A face of recursive bisection between the ranks m and m + 1: the ranks first .. first + n - 1, n > 1, have a part of the
+ * box that is cut once, below rank first + n/2, so that each face is one such cut, that number first + n/2 - 1
+ * (M. J. Berger, S. H. Bokhari, IEEE Trans. Comput. C-36, 570 (1987)). */
+struct ts_rank_cut {
+	int dim;
+	double at;
+};
+
 struct ts_rank_blocks {
-	int count[3]; /* blocks along each dimension */
+	int count[3];		       /* blocks along each dimension; with recursive bisection ranks, 1, 1 */
+	struct ts_rank_cut *bisection; /* [ranks - 1]; NULL: it is a grid */
 	/* Faces along d, count[d] + 1 of them for each part that is cut along d (0: the box, 1: a slab, 2: a column);
 	 * the outer ones are those of the box. */
 	double *cut[3];
-	double length[3]; /* of the box */
+	double lo[3], length[3]; /* of the box */
 	bool periodic[3];
+};
+
+static inline int ts_rank_blocks_number(const struct ts_rank_blocks *blocks)
+{
+	return blocks->count[0] * blocks->count[1] * blocks->count[2];
+}
+
+/* A block, or a part of the box, along one dimension: outer faces of dimensions that are not periodic do not limit it. */
+struct ts_rank_side {
+	double face[2];
+	bool open[2];
 };
 
 /* The numbers of blocks along each dimension, for n ranks: those given (0: free) with the least area of the cuts
@@ -24,6 +44,9 @@ bool ts_rank_blocks_choose(int n, const int given[3], const double length[3], in
 /* Cuts the box into equal blocks; false: out of memory. */
 bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const double lo[3],
 			const double hi[3], const bool periodic[3]);
+/* The same for recursive bisection into n blocks, whose cuts are all in the middle of their parts, along x. */
+bool ts_rank_blocks_bisect(struct ts_rank_blocks *blocks, int n, const double lo[3], const double hi[3],
+			   const bool periodic[3]);
 /* Moves the inner cuts: each part has, as far as equal coordinates allow, the same number of these points for each of its
  * blocks. The points are sorted. */
 void ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n);
@@ -32,6 +55,11 @@ void ts_rank_points_sort(double (*x)[3], size_t n, int d);
 /* The outer faces follow the box. */
 void ts_rank_blocks_fit(struct ts_rank_blocks *blocks, const double lo[3], const double hi[3]);
 void ts_rank_blocks_release(struct ts_rank_blocks *blocks);
+
+/* The faces along d of the part that has block k[0..d-1], count[d] + 1 of them; of a grid. */
+double *ts_rank_blocks_faces(const struct ts_rank_blocks *blocks, int d, const int k[3]);
+/* Block `rank` along d. */
+struct ts_rank_side ts_rank_blocks_side(const struct ts_rank_blocks *blocks, int rank, int d);
 
 /* The block, and so the rank, that has the point. Points outside of the box belong to the nearest block. */
 int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3]);

@@ -39,8 +39,13 @@ static void print_ranks(struct tsim *sim, int64_t steps)
 		return;
 	c = &sim->world->counts;
 	n = d->blocks.count;
-	ts_log(&sim->log, "Ranks: %d as %d x %d x %d blocks, %zu to %zu particles each\n", sim->world->n,
-	       n[0], n[1], n[2], d->least, d->most);
+	ts_log(&sim->log, "Ranks: %d as ", sim->world->n);
+	if (d->blocks.bisection)
+		ts_log(&sim->log, "blocks of a recursive bisection");
+	else
+		ts_log(&sim->log, "%d x %d x %d blocks", n[0], n[1], n[2]);
+	ts_log(&sim->log, ", %zu to %zu particles each, imbalance %.3g\n", d->least, d->most,
+	       sim->particles->n ? (double)d->most * sim->world->n / (double)sim->particles->n : 1);
 	ts_log(&sim->log,
 	       "Of the first rank: %.1f messages, %.0f bytes and %.2f agreements a step, %.0f copies of "
 	       "particles, %" PRId64 " particles received; all gathered %" PRId64 " times, %" PRId64

@@ -33,7 +33,7 @@ syn keyword tsimKeyword  shearStress normalTorqueStress shearTorqueStress dampin
 syn keyword tsimKeyword  ratioTensionCompression temperatureBreak dampingBondSmooth
 syn keyword tsimKeyword  dissipationBond druckerPrager stiffness ultimate kn ks ratio
 syn keyword tsimKeyword  soften soften_by tension both friction_angle beta map array hash
-syn keyword tsimKeyword  id first sort tilt small large
+syn keyword tsimKeyword  id first sort x y z shift rcb weight out tilt small large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
 syn match tsimKeyword /\<box\>/ 
@@ -48,7 +48,7 @@ syn keyword tsimKeyword  extra/special/per/atom angle/types dihedral/types impro
 syn keyword tsimKeyword  extra/angle/per/atom extra/dihedral/per/atom
 syn keyword tsimKeyword  extra/improper/per/atom porosity fraction count
 syn match tsimKeyword /\<variable\>/ 
-syn keyword tsimKeyword  compress bond atom stats remove special undo move ramp x y z every
+syn keyword tsimKeyword  compress bond atom stats remove special undo move ramp every
 syn keyword tsimKeyword  thresh format pad delay append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
@@ -70,7 +70,7 @@ syn keyword tsimKeyword  hopper half_angle height stem wedge depth ends drum lif
 syn keyword tsimKeyword  shaft pitch hand right left periodic mixer blades at base axis
 syn keyword tsimKeyword  angle segments error size normals outward inward primitive check
 syn keyword tsimKeyword  binsize contact_distance_factor page one cluster collection/type
-syn keyword tsimKeyword  collection/interval exclude bin nsq fixed omp grain shift tail mix
+syn keyword tsimKeyword  collection/interval exclude bin nsq fixed omp grain tail mix
 syn keyword tsimKeyword  arithmetic sixthpower universe grid part numa add nocoeff
 syn keyword tsimKeyword  extra/atom/types extra/bond/types extra/angle/types
 syn keyword tsimKeyword  extra/dihedral/types extra/improper/types
@@ -94,9 +94,9 @@ syn keyword tsimKeyword  solid_fraction amount load bumpiness upper_wall_restitu
 syn keyword tsimKeyword  upper_roughness upper_bumpiness friction tangential packing theory
 syn keyword tsimKeyword  lun garzo/dufty radial lun/savage carnahan/starling torquato
 syn keyword tsimKeyword  branch dense dilute points tolerance shear_rate kspace tensor
-syn keyword tsimKeyword  lacey kramer poole rsd intensity above chunks weight number volume
-syn keyword tsimKeyword  least particles contacts reference neighbors com average property
-syn keyword tsimKeyword  xcm vcm fcm torque quat angmom masstotal inertia clumptype
+syn keyword tsimKeyword  lacey kramer poole rsd intensity above chunks number volume least
+syn keyword tsimKeyword  particles contacts reference neighbors com average property xcm
+syn keyword tsimKeyword  vcm fcm torque quat angmom masstotal inertia clumptype
 syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type region_count
 syn keyword tsimKeyword  tracer reset_marker min max ave sumsq avesq sumabs aveabs minabs
 syn keyword tsimKeyword  maxabs std inputs peratom update_on_run_end ridge plane center
@@ -175,8 +175,8 @@ syn match tsimKeyword /\<run\>/
 syn keyword tsimKeyword  least_gap touching solid axisymmetric point span distance profile
 syn keyword tsimKeyword  potential anharmonic generic hertz/material dmt mass_velocity
 syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
-syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
-syn keyword tsimKeyword  bounds angle0
+syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in bounds
+syn keyword tsimKeyword  angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
