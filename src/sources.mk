@@ -1473,6 +1473,8 @@ library_sources = \
 	src/wall/primitive_wall.h \
 	src/wall/region_wall.c \
 	src/wall/region_wall.h \
+	src/wall/shared_contacts.c \
+	src/wall/shared_contacts.h \
 	src/wall/squeeze.c \
 	src/wall/squeeze.h \
 	src/wall/surface.c \

@@ -4,7 +4,6 @@
 
 #include "base/sort.h"
 #include "math/vec3.h"
-#include "rigid/rigid.h"
 #include "wall/surface_contacts.h"
 
 #include "base/banned.h"
@@ -147,12 +146,6 @@ enum ts_status ts_impacts_prepare(struct ts_instance *self, struct tsim *sim)
 
 /* ---- one impact ---- */
 
-/* A member of a rigid body has the mass of the body, as in the contact law. */
-static double mass_of(const struct ts_particles *p, size_t i)
-{
-	return ts_rigid_member(p, i) && p->imass[i] > 0 ? 1 / p->imass[i] : p->mass[i];
-}
-
 /* Time that the surfaces take to pass the overlap at this speed, at most a step. */
 static double passage(const struct tsim *sim, double overlap, double speed)
 {
@@ -162,24 +155,21 @@ static double passage(const struct tsim *sim, double overlap, double speed)
 static void begin(const struct tsim *sim, const struct ts_surface_contact *c,
 		  struct ts_surface_impact *impact)
 {
-	const struct ts_particles *p = sim->particles;
 	struct ts_impact_event *e = &impact->event;
-	size_t i = c->particle;
 
-	e->tag = p->tag[i];
-	e->type = p->type[i];
+	e->tag = c->tag;
+	e->type = c->type;
 	e->element = (double)c->element;
-	e->mass = mass_of(p, i);
-	e->radius = p->radius[i];
+	e->mass = c->inertial_mass; /* as in the contact law */
+	e->radius = c->radius;
 	ts_scale(1, c->velocity, e->velocity);
 	ts_scale(1, c->normal, e->normal);
 	ts_scale(1, c->point, e->point);
-	if (p->omega)
-		ts_scale(1, p->omega[i], e->omega);
+	ts_scale(1, c->omega, e->omega);
 	/* the step that is added to it now began with free flight */
 	e->duration = passage(sim, c->overlap, -ts_dot(c->velocity, c->normal)) - sim->clock.dt;
 	e->begin = ts_sim_time(sim) - (e->duration + sim->clock.dt);
-	impact->groups = groups_of(sim, i);
+	impact->groups = (double)c->groups;
 	impact->seen = !sim->run.in_setup;
 }
 

@@ -41,6 +41,7 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress)
 const struct ts_style ts_fix_mesh_surface_stress = {
 	.name = "mesh/surface/stress",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "A triangle mesh with the force, torque, stresses and wear due to particles",
 	.purpose = "As fix mesh/surface, for parts whose load is wanted: the torque of a drum, the weight on "
 		   "a tray, pressure and wear on each triangle.",

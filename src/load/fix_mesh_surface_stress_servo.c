@@ -1,5 +1,6 @@
 /* Fix mesh/surface/stress/servo: a controller moves or rotates a mesh until particles exert a target force
  * or torque on it. */
+#include "core/ranks.h"
 #include "core/report.h"
 #include "law/servo.h"
 #include "mesh/mesh_load.h"
@@ -260,8 +261,8 @@ static double auto_speed(const struct ts_instance *self, const struct tsim *sim,
 	double size = fmin(fabs(error), 1), gain = size <= 0.9 ? 0.1 : 0.1 + 9 * (size - 0.9);
 	double speed = s->fastest;
 
-	if (ts_surface_contacts_listed(sim, self))
-		speed = s->ratio * smallest_radius(sim->particles) / sim->clock.dt;
+	if (ts_ranks_most(sim, ts_surface_contacts_listed(sim, self)) > 0)
+		speed = s->ratio * -ts_ranks_most(sim, -smallest_radius(sim->particles)) / sim->clock.dt;
 	return copysign(size * gain, error) * speed;
 }
 
@@ -477,6 +478,7 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress_servo)
 const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.name = "mesh/surface/stress/servo",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "A mesh that moves or rotates until particles exert a given force or torque on it",
 	.purpose = "A punch, a lid or a blade that moves until grains press on it with a given force or "
 		   "torque: compaction, shear cells, drill bits.",

@@ -1,5 +1,6 @@
 #include "load/mesh_wear.h"
 
+#include "core/ranks.h"
 #include "law/contact_wear.h"
 #include "material/property.h"
 
@@ -26,7 +27,7 @@ enum ts_status ts_mesh_wear_init(struct ts_instance *self, struct tsim *sim,
 	return wear->depth ? TS_OK : ts_nomem(&sim->error);
 }
 
-/* Of the types that particles have now. */
+/* Of the types that particles have now, on any rank. */
 enum ts_status ts_mesh_wear_find_constants(struct ts_instance *self, struct tsim *sim,
 					   const struct ts_mesh_surface *surface, struct ts_mesh_wear *wear)
 {
@@ -38,6 +39,7 @@ enum ts_status ts_mesh_wear_find_constants(struct ts_instance *self, struct tsim
 	for (size_t i = 0; i < p->n; i++)
 		most = p->type[i] > most ? p->type[i] : most;
 	ts_free(wear->k);
+	most = (int)ts_ranks_most(sim, most);
 	wear->k = ts_alloc((size_t)most + 1, sizeof *wear->k);
 	if (!wear->k)
 		return ts_nomem(&sim->error);

@@ -317,6 +317,7 @@ TS_STYLE(fix, ts_style, ts_fix_move_mesh_free)
 const struct ts_style ts_fix_move_mesh_free = {
 	.name = "move/mesh/free",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "A closed mesh that moves as a free rigid body",
 	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves freely under the forces "
 	       "of contacts with particles, of fluids and of gravity:\n\n"

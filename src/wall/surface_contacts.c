@@ -2,6 +2,8 @@
 
 #include "base/sort.h"
 #include "box/domain.h"
+#include "rigid/rigid.h"
+#include "wall/shared_contacts.h"
 #include "wall/surface.h"
 
 #include "base/banned.h"
@@ -32,7 +34,7 @@ enum ts_status ts_surface_contacts_find_observers(struct tsim *sim, struct ts_wa
 	return TS_OK;
 }
 
-static int by_element(const void *a, const void *b)
+int ts_wall_touching_order(const void *a, const void *b)
 {
 	const struct ts_wall_touching *p = a, *q = b;
 
@@ -62,20 +64,23 @@ static size_t append_sorted(struct ts_wall *w, size_t n, bool touch)
 				(struct ts_wall_touching){ (int32_t)place.surface, (int32_t)place.element,
 							   c->key[k][0], k };
 	}
-	ts_sort(w->touching + from, n - from, sizeof *w->touching, by_element);
+	ts_sort(w->touching + from, n - from, sizeof *w->touching, ts_wall_touching_order);
 	return n;
 }
 
 enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w)
 {
 	w->ntouching = w->nlisted = 0;
-	if (!w->contacts.report || !w->observed)
+	w->shares = false;
+	if (!w->observed)
 		return TS_OK;
-	if (TS_GROW(w->touching, w->touching_capacity, w->contacts.n) != TS_OK)
-		return ts_nomem(&sim->error);
-	w->ntouching = append_sorted(w, 0, true);
-	w->nlisted = w->warm ? append_sorted(w, w->ntouching, false) : w->ntouching;
-	return TS_OK;
+	if (w->contacts.report) {
+		if (TS_GROW(w->touching, w->touching_capacity, w->contacts.n) != TS_OK)
+			return ts_nomem(&sim->error);
+		w->ntouching = append_sorted(w, 0, true);
+		w->nlisted = w->warm ? append_sorted(w, w->ntouching, false) : w->ntouching;
+	}
+	return sim->division ? ts_shared_contacts_make(sim, w) : TS_OK;
 }
 
 static bool has_wall(const struct tsim *sim, const struct ts_instance *surface)
@@ -135,7 +140,9 @@ static void set_particle(const struct ts_particles *p, struct ts_surface_contact
 
 	out->type = p->type[i];
 	out->groups = (uint32_t)p->mask[i];
+	out->tag = p->tag[i];
 	out->mass = p->mass[i];
+	out->inertial_mass = ts_rigid_member(p, i) && p->imass[i] > 0 ? 1 / p->imass[i] : p->mass[i];
 	out->radius = p->radius[i];
 	ts_scale(1, p->omega ? p->omega[i] : none, out->omega);
 }
@@ -147,6 +154,10 @@ void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size
 	const struct ts_wall_report *r = &c->report[k];
 	struct ts_wall_place place;
 
+	if (w->shares) {
+		*out = *ts_shared_contact(w, k);
+		return;
+	}
 	ts_wall_place(w, k, &place);
 	out->element = place.element;
 	out->particle = (size_t)c->row[k];

@@ -22,11 +22,13 @@
 #include "wall/wall.h"
 
 struct ts_surface_contact {
-	size_t element;	 /* of the surface */
-	size_t particle; /* local index; SIZE_MAX: a node, whose particle may have left the box since then */
-	int type;	 /* of the particle, as all that follow */
+	size_t element; /* of the surface */
+	size_t particle; /* local index; SIZE_MAX: a particle of another rank, or a node, whose one may have left the box */
+	int32_t tag; /* of the particle, as all that follow; 0: of a node */
+	int type;
 	uint32_t groups; /* bits */
 	double mass, radius;
+	double inertial_mass; /* of its rigid body, if it is a member of one */
 	double omega[3];
 	double duration; /* of the contact in this step, time */
 	double force[3]; /* of the particle on the surface */
@@ -75,8 +77,11 @@ bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance
 
 /* By a wall in POST_BUILD, before contacts are listed: finds out what is observed of its surfaces. */
 enum ts_status ts_surface_contacts_find_observers(struct tsim *sim, struct ts_wall *w);
-/* By a wall in POST_FORCE: makes its list of touching contacts, if somebody observes them. */
+/* By a wall in POST_FORCE: makes its list of touching contacts, if somebody observes them. With several ranks all get those
+ * of all ranks, so that observers have the same sums on each of them. */
 enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w);
+/* The order of struct ts_wall_touching. */
+int ts_wall_touching_order(const void *a, const void *b);
 /* Contact k of a wall, which touches. */
 void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size_t k,
 			   struct ts_surface_contact *out);

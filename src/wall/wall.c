@@ -16,6 +16,7 @@
 #include "particle/prescribed.h"
 #include "particle/rank_sums.h"
 #include "rigid/rigid.h"
+#include "wall/shared_contacts.h"
 
 #include "base/banned.h"
 
@@ -421,6 +422,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct t
 		TS_TRY(w->shape->check_law(self, sim));
 	if (w->shape->plan)
 		w->shape->plan(self, sim);
+	ts_shared_contacts_plan(sim, w, plan);
 	for (size_t k = 0; k < n; k++)
 		TS_TRY(plan_type(self, sim, ts_wall_surface_type(w, k), plan));
 	return TS_OK;
@@ -534,4 +536,5 @@ void ts_wall_fini(struct ts_instance *self)
 	ts_free(w->observers);
 	ts_free(w->touching);
 	ts_free(w->brief);
+	ts_parcel_release(&w->shared);
 }

@@ -30,7 +30,7 @@ struct ts_impacts;
 /* An observed contact, with the keys that define the order of summation. */
 struct ts_wall_touching {
 	int32_t surface, element, tag;
-	size_t k;
+	size_t k; /* in the contacts of the wall, or in `shared` */
 };
 
 /* A contact that began and ended within this step, with the nodes of a quadrature over its time. */
@@ -66,6 +66,9 @@ struct ts_wall {
 	 * only conduct heat; both parts sorted */
 	struct ts_wall_touching *touching;
 	size_t ntouching, nlisted, touching_capacity, observers_capacity;
+	/* While particles are divided among ranks: the observed contacts of all ranks, wall/shared_contacts.h */
+	bool shares;
+	struct ts_parcel shared;
 	/* By particle and time, of observed surfaces; made in POST_INTEGRATE by `impact exact`. */
 	struct ts_wall_brief *brief;
 	size_t nbriefs, brief_capacity;

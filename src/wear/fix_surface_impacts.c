@@ -23,6 +23,7 @@ TS_STYLE(fix, ts_style, ts_fix_surface_impacts)
 const struct ts_style ts_fix_surface_impacts = {
 	.name = "surface/impacts",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "number, speed, angle, energy and force of the impacts on the elements of a surface",
 	.doc = "Counts the impacts of the particles of the group on each element of a surface, with the "
 	       "columns of the fixes wear/LAW, but without a law of wear and its volumes." TS_WEAR_IMPACT_DOC

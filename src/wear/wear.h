@@ -97,9 +97,10 @@ extern const struct ts_value ts_wear_values[];
 extern const struct ts_value ts_wear_impact_values[];
 /* Manual: surfaces that evolve. */
 extern const char *const ts_wear_doc_more[];
-#define TS_WEAR_SLOTS                                                                       \
-	.family = TS_FAMILY_WEAR, .doc_more = ts_wear_doc_more, .surface = ts_wear_surface, \
-	.values = ts_wear_values, .archive = ts_wear_archive, .plan = ts_wear_plan
+#define TS_WEAR_SLOTS                                                                                     \
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS, .family = TS_FAMILY_WEAR, .doc_more = ts_wear_doc_more, \
+	.surface = ts_wear_surface, .values = ts_wear_values, .archive = ts_wear_archive,                 \
+	.plan = ts_wear_plan
 
 /* In the manual of laws with `slide`. */
 #define TS_WEAR_EXACT                                                                                     \

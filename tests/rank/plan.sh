@@ -41,6 +41,12 @@ report 'an empty box' $? out
 printf 'units lj\nprocessors 5 1 1\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 1\n' >in.empty
 refused 'blocks that do not fit' 'processors: ' -in in.empty -explain -ranks 4
 
+# The contacts that all ranks get, as loads and wear are summed.
+"$TSIM" -in "$top_srcdir/tests/rank/scenes/in.mill" -explain -ranks 4 -log none -var out x >out 2>&1
+report 'plan of a scene with loads' $? out
+[ "$(grep -c '^  shared contacts  all ranks get those with wall [a-z]*, .* in each step: now [0-9]*, [0-9]* bytes each$' out)" = 6 ]
+report 'contacts that all ranks get' $? out
+
 has_ranks || finish
 ranks() {
 	local n=$1
