@@ -1,5 +1,6 @@
 /* Fix massflow/mesh: mass and number of particles that pass a mesh. */
 #include "base/sort.h"
+#include "core/ranks.h"
 #include "io/csv.h"
 #include "mesh/mesh_surface.h"
 #include "mesh/mesh_touch.h"
@@ -8,6 +9,7 @@
 #include "particle/columns.h"
 #include "particle/particles.h"
 #include "particle/quantity.h"
+#include "particle/rank_sums.h"
 #include "rigid/rigid.h"
 #include "thermo/thermo.h"
 
@@ -23,10 +25,19 @@ struct mark {
 	double mass, number, time;
 };
 
-/* Passage of a particle through a triangle. */
+/* Passage of a particle through a triangle, as all ranks get it. */
 struct passage {
 	int32_t triangle, tag;
-	size_t i;
+	int32_t body; /* its rigid body, or 0 */
+	double part;  /* of the particle in the mass of its body */
+	double mass, radius, x[3], v[3];
+	double property; /* that is summed, or 0 */
+};
+
+/* A member of a body that a particle has passed with. */
+struct member {
+	int32_t body, tag;
+	bool done; /* it has passed, too */
 };
 
 struct state {
@@ -41,10 +52,9 @@ struct state {
 	struct ts_mesh_tree tree;
 	uint64_t moves; /* surface->moves when the tree was built */
 	struct ts_mesh_list list;
-	struct passage *passage; /* passages in this step */
-	size_t npassages, passage_capacity;
-	size_t column;		  /* particle column with the marks */
-	size_t summed, component; /* particle column and component of sum_property */
+	struct ts_parcel passages; /* struct passage, in this step */
+	size_t column;		   /* particle column with the marks */
+	size_t summed, component;  /* particle column and component of sum_property */
 	struct ts_textfile out;
 	/* saved */
 	double mass, number, deleted_mass, deleted_number, sum;
@@ -175,19 +185,18 @@ static enum ts_status begin_table(struct state *s, struct tsim *sim)
 	return ts_csv_begin(&s->out, sim, &row);
 }
 
-static enum ts_status write_table_row(struct state *s, struct tsim *sim, size_t i)
+static enum ts_status write_table_row(struct state *s, struct tsim *sim, const struct passage *p)
 {
-	const struct ts_particles *p = sim->particles;
 	struct ts_str row = { 0 };
 
-	ts_csv_int(&row, p->tag[i]);
+	ts_csv_int(&row, p->tag);
 	if (s->write_time)
 		ts_csv_real(&row, ts_sim_time(sim));
-	ts_csv_real(&row, 2 * p->radius[i]);
+	ts_csv_real(&row, 2 * p->radius);
 	for (int d = 0; d < 3; d++)
-		ts_csv_real(&row, p->x[i][d]);
+		ts_csv_real(&row, p->x[d]);
 	for (int d = 0; d < 3; d++)
-		ts_csv_real(&row, p->v[i][d]);
+		ts_csv_real(&row, p->v[d]);
 	ts_csv_end(&row);
 	return ts_csv_write(&s->out, sim, &row);
 }
@@ -209,22 +218,21 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 
 /* ---- counting ---- */
 
-static enum ts_status write_passage(struct state *s, struct tsim *sim, size_t i)
+static enum ts_status write_passage(struct state *s, struct tsim *sim, const struct passage *p)
 {
-	const struct ts_particles *p = sim->particles;
 	char text[256], time[40] = "";
 
-	snprintf(text, sizeof text, "%4.4g %4.4g %4.4g %4.4g %4.4g %4.4g %4.4g", 2 * p->radius[i], p->x[i][0],
-		 p->x[i][1], p->x[i][2], p->v[i][0], p->v[i][1], p->v[i][2]);
+	snprintf(text, sizeof text, "%4.4g %4.4g %4.4g %4.4g %4.4g %4.4g %4.4g", 2 * p->radius, p->x[0],
+		 p->x[1], p->x[2], p->v[0], p->v[1], p->v[2]);
 	if (s->write_time)
 		snprintf(time, sizeof time, " %4.4g  ", ts_sim_time(sim));
 	if (s->screen)
-		ts_log(&sim->log, " %" PRId32 " %s%s \n", p->tag[i], time, text);
+		ts_log(&sim->log, " %" PRId32 " %s%s \n", p->tag, time, text);
 	if (!ts_textfile_is_open(&s->out))
 		return TS_OK;
 	if (ts_csv_is(s->file ? s->file : s->append))
-		return write_table_row(s, sim, i);
-	TS_TRY(ts_textfile_printf(&s->out, "%" PRId32 " %s%s\n", p->tag[i], time, text));
+		return write_table_row(s, sim, p);
+	TS_TRY(ts_textfile_printf(&s->out, "%" PRId32 " %s%s\n", p->tag, time, text));
 	return ts_textfile_flush(&s->out);
 }
 
@@ -248,43 +256,113 @@ static double summed_property(const struct state *s, const struct tsim *sim, siz
 	return ((const double *)column->data)[i * column->width + s->component];
 }
 
-static enum ts_status mark_for_deletion(struct state *s, struct tsim *sim, size_t i)
+static enum ts_status mark_for_deletion(struct state *s, struct tsim *sim, int32_t tag)
 {
 	if (TS_GROW(s->doomed, s->capacity, s->ndoomed + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	s->doomed[s->ndoomed++] = sim->particles->tag[i];
+	s->doomed[s->ndoomed++] = tag;
 	return TS_OK;
 }
 
-/* Marks a particle for deletion, or a rigid body if all its members have passed. */
-static enum ts_status delete_passed(struct state *s, struct tsim *sim, size_t i)
+static const struct passage *passages_of(const struct state *s, size_t *n)
+{
+	*n = s->passages.n / sizeof(struct passage);
+	return (const struct passage *)(const void *)s->passages.data;
+}
+
+static enum ts_status count_passage(struct state *s, struct tsim *sim, const struct passage *p)
+{
+	s->mass += p->mass;
+	s->number += p->part;
+	s->sum += p->property;
+	TS_TRY(write_passage(s, sim, p));
+	return s->deletes && !p->body ? mark_for_deletion(s, sim, p->tag) : TS_OK;
+}
+
+/* ---- bodies that have passed */
+
+static int by_body(const void *a, const void *b)
+{
+	const struct member *p = a, *q = b;
+
+	if (p->body != q->body)
+		return p->body < q->body ? -1 : 1;
+	return (p->tag > q->tag) - (p->tag < q->tag);
+}
+
+/* Appends the members, among the particles of this rank, of the body of a passage. */
+static enum ts_status add_members(const struct state *s, const struct tsim *sim, int32_t body,
+				  struct ts_parcel *out)
 {
 	const struct ts_rigid *r = sim->rigid;
-	size_t b;
+	size_t b = body ? ts_rigid_find(r, body) : r->n;
 
-	if (!ts_rigid_member(sim->particles, i))
-		return mark_for_deletion(s, sim, i);
-	TS_TRY(ts_rigid_list(sim));
-	b = (size_t)(ts_rigid_body_of(sim, i) - r->body);
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-		if (*particle_mark(s, sim, (size_t)r->member[k]) < DONE - 0.5)
-			return TS_OK;
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-		TS_TRY(mark_for_deletion(s, sim, (size_t)r->member[k]));
+	for (size_t k = b < r->n ? r->start[b] : 0; b < r->n && k < r->start[b + 1]; k++) {
+		size_t i = (size_t)r->member[k];
+		struct member m = { .body = body };
+
+		if (i >= sim->particles->n)
+			continue;
+		m.tag = sim->particles->tag[i];
+		m.done = *particle_mark(s, sim, i) > DONE - 0.5;
+		TS_TRY(ts_parcel_add(out, &m, sizeof m));
+	}
 	return TS_OK;
 }
 
-static enum ts_status count_passage(struct state *s, struct tsim *sim, size_t i)
+/* The members of n bodies of passages, those of one together. */
+static enum ts_status mark_whole_bodies(struct state *s, struct tsim *sim, struct member *m, size_t n)
 {
-	double part = body_fraction(sim, i);
+	ts_sort(m, n, sizeof *m, by_body);
+	for (size_t k = 0, end; k < n; k = end) {
+		bool done = true;
 
-	s->mass += sim->particles->mass[i];
-	s->number += part;
-	if (s->property)
-		s->sum += part * summed_property(s, sim, i);
-	TS_TRY(write_passage(s, sim, i));
-	return s->deletes ? delete_passed(s, sim, i) : TS_OK;
+		for (end = k; end < n && m[end].body == m[k].body; end++)
+			done &= m[end].done;
+		for (size_t j = k; done && j < end; j++)
+			TS_TRY(mark_for_deletion(s, sim, m[j].tag));
+	}
+	return TS_OK;
 }
+
+/* Marks the bodies for deletion all of whose members have passed. */
+static enum ts_status delete_bodies(struct state *s, struct tsim *sim)
+{
+	struct ts_parcel mine = { 0 }, all = { 0 };
+	size_t n;
+	const struct passage *p = passages_of(s, &n);
+	enum ts_status status = ts_rigid_list(sim);
+
+	for (size_t k = 0; k < n && status == TS_OK; k++)
+		status = add_members(s, sim, p[k].body, &mine);
+	if (status == TS_OK && sim->division)
+		status = ts_world_share(sim->world, &mine, &all);
+	if (status == TS_OK) {
+		struct ts_parcel *of = sim->division ? &all : &mine;
+
+		status = mark_whole_bodies(s, sim, (struct member *)(void *)of->data,
+					   of->n / sizeof(struct member));
+	}
+	ts_parcel_release(&mine);
+	ts_parcel_release(&all);
+	return status;
+}
+
+/* Passages of all ranks, in the order of one. */
+static enum ts_status count_passages(struct state *s, struct tsim *sim)
+{
+	size_t n;
+	const struct passage *p = passages_of(s, &n);
+	bool bodies = false;
+
+	for (size_t k = 0; k < n; k++) {
+		TS_TRY(count_passage(s, sim, &p[k]));
+		bodies |= p[k].body != 0;
+	}
+	return s->deletes && bodies ? delete_bodies(s, sim) : TS_OK;
+}
+
+/* ---- passages */
 
 /* Whether x is on the outer side of the mesh; `at`: the point of the mesh nearest to x. */
 static bool is_outside(const struct state *s, const double x[3], const struct ts_mesh_contact_point *at)
@@ -321,10 +399,21 @@ static bool update_mark(const struct state *s, double *mark, enum ts_mesh_part p
 
 static enum ts_status add_passage(struct state *s, struct tsim *sim, int32_t triangle, size_t i)
 {
-	if (TS_GROW(s->passage, s->passage_capacity, s->npassages + 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	s->passage[s->npassages++] = (struct passage){ triangle, sim->particles->tag[i], i };
-	return TS_OK;
+	const struct ts_particles *p = sim->particles;
+	struct passage passage = { .triangle = triangle,
+				   .tag = p->tag[i],
+				   .body = ts_rigid_member(p, i) ? p->body[i] : 0,
+				   .part = body_fraction(sim, i),
+				   .mass = p->mass[i],
+				   .radius = p->radius[i] };
+
+	for (int d = 0; d < 3; d++) {
+		passage.x[d] = p->x[i][d];
+		passage.v[d] = p->v[i][d];
+	}
+	if (s->property)
+		passage.property = passage.part * summed_property(s, sim, i);
+	return ts_parcel_add(&s->passages, &passage, sizeof passage) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 /* A particle is near a triangle if the distance of its centre is at most its radius plus half the skin of
@@ -381,6 +470,20 @@ static bool has_interval_ended(const struct state *s, const struct tsim *sim)
 	return t->every || t->variable ? t->counted == last + 1 : last == sim->clock.first_step;
 }
 
+/* While particles are divided: passages of all ranks. */
+static enum ts_status share_passages(struct state *s, struct tsim *sim)
+{
+	struct ts_parcel all = { 0 };
+	enum ts_status status = TS_OK;
+
+	if (!sim->division || !(ts_ranks_most(sim, (double)s->passages.n) > 0))
+		return TS_OK;
+	status = ts_world_share(sim->world, &s->passages, &all);
+	ts_parcel_release(&s->passages);
+	s->passages = all;
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
 static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -388,7 +491,7 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 
 	if (has_interval_ended(s, sim))
 		s->before = (struct mark){ s->mass, s->number, ts_sim_time(sim) - sim->clock.dt };
-	s->npassages = 0;
+	s->passages.n = 0;
 	if (!s->tree.n || s->moves != s->surface->moves) {
 		ts_mesh_tree_release(&s->tree);
 		if (ts_mesh_tree_build(&s->tree, &s->surface->mesh) != TS_OK)
@@ -398,35 +501,46 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			TS_TRY(check_particle(s, sim, i));
-	ts_sort(s->passage, s->npassages, sizeof *s->passage, by_triangle);
-	for (size_t k = 0; k < s->npassages; k++)
-		TS_TRY(count_passage(s, sim, s->passage[k].i));
-	return TS_OK;
+	TS_TRY(share_passages(s, sim));
+	ts_sort(s->passages.data, s->passages.n / sizeof(struct passage), sizeof(struct passage),
+		by_triangle);
+	return count_passages(s, sim);
 }
 
 /* ---- deleting ---- */
 
-static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+/* Deletes those particles of this rank. */
+static enum ts_status delete_doomed(struct state *s, struct tsim *sim, unsigned char *flag)
 {
-	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	unsigned char *flag;
-	enum ts_status status;
+	struct ts_exactsum sum[2] = { ts_exactsum_start(), ts_exactsum_start() };
 
-	if (!s->ndoomed)
-		return TS_OK;
-	flag = ts_alloc(p->n, 1);
-	if (!flag)
-		return ts_nomem(&sim->error);
 	ts_sort(s->doomed, s->ndoomed, sizeof *s->doomed, by_tag);
 	for (size_t i = 0; i < p->n; i++) {
 		int64_t tag = p->tag[i];
 
 		flag[i] = bsearch(&tag, s->doomed, s->ndoomed, sizeof tag, by_tag) != NULL;
-		s->deleted_number += flag[i] ? body_fraction(sim, i) : 0;
-		s->deleted_mass += flag[i] ? p->mass[i] : 0;
+		if (!flag[i])
+			continue;
+		ts_exactsum_add(&sum[0], body_fraction(sim, i));
+		ts_exactsum_add(&sum[1], p->mass[i]);
 	}
-	status = ts_particles_delete(sim, flag);
+	ts_rank_sums_merge(sim, sum, 2);
+	s->deleted_number += ts_exactsum_value(&sum[0]);
+	s->deleted_mass += ts_exactsum_value(&sum[1]);
+	return ts_particles_delete(sim, flag);
+}
+
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	unsigned char *flag;
+	enum ts_status status;
+
+	if (!s->ndoomed)
+		return TS_OK;
+	flag = ts_alloc(sim->particles->n, 1);
+	status = flag ? delete_doomed(s, sim, flag) : ts_nomem(&sim->error);
 	ts_free(flag);
 	s->ndoomed = 0;
 	return status;
@@ -489,7 +603,7 @@ static void fini(struct ts_instance *self)
 	ts_mesh_tree_release(&s->tree);
 	ts_textfile_close(&s->out);
 	ts_free(s->list.item);
-	ts_free(s->passage);
+	ts_parcel_release(&s->passages);
 	ts_free(s->doomed);
 }
 
@@ -541,6 +655,7 @@ TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
 const struct ts_style ts_fix_massflow_mesh = {
 	.name = "massflow/mesh",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Mass and number of particles that pass a mesh, and their rates",
 	.doc = "Counts particles of the group that pass a mesh from its inner to its outer side. A particle "
 	       "is near the mesh if the distance of its centre is at most its radius plus half the skin of "

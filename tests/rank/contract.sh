@@ -87,7 +87,7 @@ files_of() {
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
-for scene in averages halves drum mill forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
+for scene in averages halves drum mill sieve forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
