@@ -1,5 +1,8 @@
 #include "core/ranks.h"
 
+#include <stdio.h>
+#include <string.h>
+
 #include "core/plan.h"
 
 #include "base/banned.h"
@@ -33,34 +36,67 @@ enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct 
 		       what, ts_ranks(sim));
 }
 
-/* A value that formulas, computes or fixes give would have to be computed by all ranks together. */
-static const struct ts_word *find_reference(struct ts_words words)
+/* Whether the variable v_NAME or v_NAME[k] would have to be computed by all ranks together. One that does not exist, or has a
+ * wrong formula, is refused by who reads it. */
+static bool variable_reads_all(const struct tsim *sim, const char *text)
+{
+	const struct ts_script_api *api = sim->script_api;
+	char name[128];
+
+	snprintf(name, sizeof name, "%.*s", (int)strcspn(text + 2, "["), text + 2);
+	return api && api->has_variable(sim->script_api_data, name) &&
+	       api->reads_all(sim->script_api_data, name);
+}
+
+const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words)
 {
 	for (size_t k = 0; k < words.n; k++) {
 		const char *text = words.word[k].text;
+		bool output = (text[0] == 'c' || text[0] == 'f') && text[1] == '_';
 
-		if ((text[0] == 'v' || text[0] == 'c' || text[0] == 'f') && text[1] == '_')
+		if (output || (text[0] == 'v' && text[1] == '_' && variable_reads_all(sim, text)))
 			return &words.word[k];
 	}
 	return NULL;
 }
 
+static enum ts_status check_words(struct tsim *sim, const struct ts_style *style, const char *what,
+				  struct ts_words words)
+{
+	const struct ts_word *shared = style->ranks & TS_RANKS_OWN ? ts_ranks_find_shared(sim, words) : NULL;
+
+	if (!shared)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &shared->place,
+		       "%s: '%s' is a value that depends on all particles, a clock or random numbers, and is "
+		       "needed while the particles are divided among ranks, which does not work yet (there "
+		       "are %d ranks); see doc/ranks.md",
+		       what, shared->text, ts_ranks(sim));
+}
+
 enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
 			      struct ts_words words, const struct ts_place *where)
 {
-	const struct ts_word *reference;
-
 	if (ts_ranks(sim) == 1)
 		return TS_OK;
 	if (!style->ranks)
 		return ts_ranks_refuse(sim, what, where);
-	reference = style->ranks & TS_RANKS_OWN ? find_reference(words) : NULL;
-	if (!reference)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &reference->place,
-		       "%s: '%s' is a value that changes during a run, which does not work with several "
-		       "ranks yet (there are %d); see doc/ranks.md",
-		       what, reference->text, ts_ranks(sim));
+	return check_words(sim, style, what, words);
+}
+
+/* Variables may have got other formulas since the line of the fix. */
+static enum ts_status check_variables(struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	char what[128];
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		const struct ts_instance *fix = fixes->item[k];
+
+		snprintf(what, sizeof what, "fix %s", fix->style->name);
+		TS_TRY(check_words(sim, fix->style, what, fix->words));
+	}
+	return TS_OK;
 }
 
 enum ts_status ts_ranks_check_systems(struct tsim *sim)
@@ -71,7 +107,7 @@ enum ts_status ts_ranks_check_systems(struct tsim *sim)
 		if (why)
 			return ts_ranks_refuse(sim, why, ts_sim_word(sim, 0, NULL));
 	}
-	return TS_OK;
+	return ts_ranks(sim) > 1 ? check_variables(sim) : TS_OK;
 }
 
 enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim)

@@ -34,6 +34,9 @@ double ts_ranks_same(const struct tsim *sim, double value);
  * would have to compute together. `what`: kind and name for the message. */
 enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
 			      struct ts_words words, const struct ts_place *where);
+/* The first word that names a value which ranks with particles of their own do not have: an output, or a variable that
+ * depends on all particles. NULL: none. */
+const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words);
 /* The same for an option; `what`: its name. */
 enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
 /* Before a run: asks all systems whether the particles can be divided. */

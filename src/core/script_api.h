@@ -36,6 +36,9 @@ struct ts_script_api {
 	 * shape? */
 	enum ts_status (*check_variable)(void *data, const char *variable, enum ts_shape shape,
 					 const struct ts_place *where);
+	/* Whether the value of a variable that exists is not the same on ranks with particles of their own: it depends on those
+	 * of all, on a clock or on random numbers. */
+	bool (*reads_all)(void *data, const char *variable);
 	/* Checks commands that will be executed later, one after the other. */
 	enum ts_status (*check_commands)(void *data, struct ts_words commands);
 	/* Checks a text in which variables and formulas will be substituted later. */

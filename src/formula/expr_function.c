@@ -196,6 +196,7 @@ enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f,
 	enum ts_status status;
 	size_t n;
 
+	e->formulas->reads_all |= f->words || f->draw;
 	if (f->words)
 		return call_on_words(e, f, at, out);
 	if (list)
@@ -232,6 +233,7 @@ enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f
 				    "%s has a value for each particle; it is allowed only in a variable of "
 				    "style atom",
 				    f->name);
+	e->formulas->reads_all = true;
 	status = ts_expr_or_unknown(e, f->name, f->eval(e->sim, words, &out->scalar), out);
 	TS_TRY(ts_expr_locate_error(e, status, at, e->at));
 	if (isfinite(out->scalar) || ts_unknown(e->sim, out->scalar))

@@ -76,6 +76,7 @@ static enum ts_status variable_of_particle(struct ts_expr *e, struct ts_variable
 	enum ts_status status;
 	size_t row = 0;
 
+	e->formulas->reads_all = true;
 	status = find_particle(e, k, at, &row);
 	if (status == TS_OK)
 		status = ts_variable_peratom(e->formulas, variable, place, &table);
@@ -230,6 +231,7 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	struct ts_ref ref;
 	unsigned shapes;
 
+	e->formulas->reads_all = true;
 	TS_TRY(ts_ref_resolve(e->sim, whole, &place, &ref));
 	shapes = ts_ref_shapes(e->sim, &ref);
 	identity = k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
@@ -276,6 +278,8 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 		     (keyword->flags & TS_KEYWORD_BOX && !e->sim->run.box_moves);
 	enum ts_status status;
 
+	e->formulas->reads_all |=
+		!(keyword->flags & (TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX));
 	if (e->sim->reading.dry)
 		return set_unknown(out);
 	status = keyword->eval(e->sim, &out->scalar);
@@ -306,6 +310,7 @@ static enum ts_status quantity_of_particle(struct ts_expr *e, const char *name, 
 	int64_t identity = 0;
 	size_t row = 0;
 
+	e->formulas->reads_all = true;
 	TS_TRY(read_index(e, 1, &identity));
 	status = find_particle(e, identity, at, &row);
 	if (status == TS_OK)

@@ -15,6 +15,9 @@ struct ts_formulas {
 	struct ts_variable *kept; /* variables whose columns or lists are cached within it */
 	uint64_t drawn; /* evaluations of functions that change from call to call: random(), next() */
 	bool misfit;	/* a formula has named an output without the shape needed there */
+	/* What depends on all particles, or on a clock or random numbers, has been read: several ranks, each with particles of
+	 * its own, would not read the same. */
+	bool reads_all;
 	size_t rows;	/* of the columns that are evaluated (ts_variable_columns); 0: there are none */
 	bool by_number; /* a variable with a column was used where only a number can be */
 	int depth;	/* nesting of formulas, through the variables they refer to */

@@ -173,6 +173,7 @@ static enum ts_status begin_evaluation(struct ts_formulas *formulas, struct ts_v
 		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "the formula of variable '%s' uses itself", variable->name);
 	variable->busy = true;
+	formulas->reads_all |= variable->style->reads_all;
 	return TS_OK;
 }
 

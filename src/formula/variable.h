@@ -46,6 +46,7 @@ struct ts_variable_style {
 	const char *name, *values, *help;
 	size_t least, most; /* number of words; most 0: no limit */
 	bool keeps;	    /* defining a variable that exists already does nothing */
+	bool reads_all;	    /* struct ts_formulas */
 	enum ts_status (*define)(struct ts_formulas *formulas, struct ts_variable *variable);
 	/* value of ${name} */
 	enum ts_status (*text)(struct ts_formulas *formulas, struct ts_variable *variable,

@@ -277,6 +277,7 @@ static enum ts_status atomfile_peratom(struct ts_formulas *formulas, struct ts_v
 }
 
 const struct ts_variable_style ts_var_file = {
+	.reads_all = true,
 	.name = "file",
 	.values = "PATH",
 	.help = "the first word of a line of a file; `next` or next() advances to the next line",
@@ -292,6 +293,7 @@ const struct ts_variable_style ts_var_file = {
 };
 
 const struct ts_variable_style ts_var_atomfile = {
+	.reads_all = true,
 	.name = "atomfile",
 	.values = "PATH",
 	.help = "a value for each particle from a file of sets: a line with a number N and N lines `id "

@@ -46,6 +46,7 @@ const struct ts_variable_style ts_var_getenv = {
 	.name = "getenv",
 	.values = "NAME",
 	.help = "the environment variable of that name, read when the variable is used",
+	.reads_all = true,
 	.least = 1,
 	.most = 1,
 	.text = getenv_text,
@@ -108,6 +109,7 @@ static enum ts_status plain_number(struct ts_formulas *formulas, struct ts_varia
 }
 
 const struct ts_variable_style ts_var_timer = {
+	.reads_all = true,
 	.name = "timer",
 	.values = "",
 	.help = "wall time in seconds when this line is executed; the difference of two is a duration",

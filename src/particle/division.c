@@ -1,6 +1,7 @@
 #include "particle/division.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/sort.h"
@@ -154,6 +155,18 @@ bool ts_division_near(const struct tsim *sim, int dim, double x, double reach)
 	return !sim->division || ts_rank_blocks_near(&sim->division->blocks, sim->world->rank, dim, x, reach);
 }
 
+/* Whether the variable of a dynamic group, NAME or v_NAME, depends on all particles. */
+static bool chosen_by_all(const struct tsim *sim, const char *variable)
+{
+	char text[128];
+	struct ts_word word = { .text = text };
+
+	if (!variable)
+		return false;
+	snprintf(text, sizeof text, "%s%s", strncmp(variable, "v_", 2) == 0 ? "" : "v_", variable);
+	return ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 }) != NULL;
+}
+
 const char *ts_division_refused(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -161,8 +174,8 @@ const char *ts_division_refused(const struct tsim *sim)
 	if (sim->domain->box.shear.on)
 		return "a sheared box";
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
-		if (p->dynamic[bit].every)
-			return "a dynamic group";
+		if (p->dynamic[bit].every && chosen_by_all(sim, p->dynamic[bit].variable))
+			return "a dynamic group by a variable of all particles";
 	if (sim->legacy == TS_LEGACY_LIGGGHTS)
 		return "legacy";
 	if (sim->outside)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "core/uses.h"
 #include "math/vec3.h"
 
@@ -390,14 +391,15 @@ static const struct ts_function functions[] = {
 	{ .name = NULL },
 };
 
-/* Variables would have to be evaluated while the particles are divided. */
+/* Variables that depend on all particles would have to be evaluated while these are divided. */
 static const char *undivided(const struct tsim *sim)
 {
 	const struct ts_instances *regions = &sim->instances[TS_KIND_REGION];
 
 	for (size_t k = 0; k < regions->n; k++)
-		if (ts_region_varies(regions->item[k]) && ts_uses_region(sim, regions->item[k]))
-			return "a region that moves or changes its size";
+		if (ts_ranks_find_shared(sim, regions->item[k]->words) &&
+		    ts_uses_region(sim, regions->item[k]))
+			return "a region that moves or changes by a variable of all particles";
 	return NULL;
 }
 

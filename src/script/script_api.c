@@ -110,6 +110,17 @@ static enum ts_status api_check_variable(void *data, const char *name, enum ts_s
 	return ts_dry_run_end(get_formulas(data), before, status, true);
 }
 
+static bool api_reads_all(void *data, const char *name)
+{
+	struct ts_formulas *formulas = get_formulas(data);
+
+	formulas->reads_all = false;
+	if (api_check_variable(data, name, api_is_peratom(data, name) ? TS_PERATOM : TS_SCALAR, NULL) !=
+	    TS_OK)
+		ts_error_clear(&formulas->sim->error); /* whoever evaluates it says so */
+	return formulas->reads_all;
+}
+
 static enum ts_status api_check_commands(void *data, struct ts_words commands)
 {
 	return ts_later_check_commands(data, commands);
@@ -275,6 +286,7 @@ const struct ts_script_api ts_script_api_table = {
 	.set = api_set,
 	.columns = api_columns,
 	.check_variable = api_check_variable,
+	.reads_all = api_reads_all,
 	.check_commands = api_check_commands,
 	.check_text = api_check_text,
 	.expect_commands = api_expect_commands,

@@ -55,6 +55,7 @@ TS_STYLE(compute, ts_style, ts_compute_squeeze_atom)
 const struct ts_style ts_compute_squeeze_atom = {
 	.name = "squeeze/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Particles squeezed between two walls",
 	.doc = "A particle of the group is squeezed if both walls press on it at once with more than the "
 	       "`threshold`. The force of a wall is the sum of the normal forces of its contacts with the "

@@ -8,7 +8,6 @@
 #include "contact/limits.h"
 #include "contact/multicontact.h"
 #include "contact/substep_contacts.h"
-#include "core/ranks.h"
 #include "core/report.h"
 #include "insert/template.h"
 #include "math/exactsum.h"
@@ -146,9 +145,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
 		TS_TRY(add_force_column(self, sim));
-	if (w->list_contacts)
-		TS_TRY(ts_ranks_refuse(sim, "an output of each contact with a wall (contacts)",
-				       ts_instance_word(self, "contacts")));
+	sim->run.shows_lists |= w->list_contacts;
 	w->contacts.want_reports |= w->list_contacts;
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
 	if (w->own_model && !w->given)

@@ -89,6 +89,9 @@ resumed "$scenes/in.bodies" 420 380 "$lines"
 # Fix heat/gran and the bonds, which have damping, add their columns of particles in another order after read_restart.
 resumed "$scenes/in.warm" 200 200 "$lines|bond_|special_bonds"
 resumed "$top_srcdir/tests/decks/in.clumps" 250 350 "$lines|region[[:space:]]+top"
+resumed "$scenes/in.mill" 610 590 "$lines"
+resumed "$scenes/in.sorted" 420 280 "$lines|region[[:space:]]+(part|lower|middle|ball)"
+resumed "$scenes/in.waves" 420 280 "$lines|region[[:space:]]+(tray|lump|paddle|low)"
 resumed in.insertion 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 
 # The blocks of `processors`.
@@ -115,15 +118,15 @@ refused() {
 	report "$what: alone it runs" $? out
 }
 integrate='fix 1 all nve'
-refused 'a fix' 5:11 'fix recenter does not work with several ranks' 'fix f all recenter INIT INIT INIT' "$integrate"
-refused 'a compute' 5:15 'compute granular/couette does not work' 'compute m all granular/couette gap 5 solid_fraction 0.4 speed 2 diameter 1 density 2 restitution 0.85 wall_restitution 0.65 roughness 0.65' "$integrate"
-refused 'a value that changes' 6:19 "'v_g' is a value that changes" 'variable g equal 1+step' \
+refused 'a fix' 5:11 'fix energy/ledger does not work with several ranks' 'fix f all energy/ledger' "$integrate"
+refused 'a variable of all particles' 6:19 "'v_g' is a value that depends on all particles" 'variable g equal 1+ke' \
 	'fix g all gravity v_g vector 0 0 -1' "$integrate"
-refused 'an output of each contact of a wall' 8:63 'an output of each contact with a wall' 'change_box all boundary f f f' \
-	'pair_style gran/hooke 200 NULL 5 NULL 0.5 0' 'pair_coeff * *' \
-	'fix w all wall/gran hooke 200 NULL 5 NULL 0.5 0 zplane 0 NULL contacts' "$integrate"
-refused 'a region that moves' 9:1 'a region that moves or changes its size does not work' 'variable s equal step' \
-	'region r sphere 5 5 5 3 move v_s NULL NULL' 'fix f all addforce 1 0 0 region r' "$integrate"
+refused 'a variable that draws' 7:20 "'v_f' is a value that depends on all particles" 'variable g equal random(0,1,5)' \
+	'variable f atom x+v_g' 'fix g all addforce v_f 0 0' "$integrate"
+refused 'a variable that has got another formula' 7:20 "'v_g' is a value that depends on all particles" 'variable g equal step' \
+	"$integrate" 'fix g all addforce v_g 0 0' 'variable g equal c_k' 'compute k all ke'
+refused 'a region that moves by a variable of all particles' 9:1 'a region that moves or changes by a variable of all particles does not work' \
+	'variable s equal ke' 'region r sphere 5 5 5 3 move v_s NULL NULL' 'fix f all addforce 1 0 0 region r' "$integrate"
 
 # Errors: in the script, and of one rank in a step.
 printf 'units lj\nnonsense 1\n' >in.wrong
