@@ -110,3 +110,21 @@ int ts_peers_stat(const struct ts_files_peers *peers, const char *path, struct s
 		peers->spread(peers->data, out, sizeof *out);
 	return result;
 }
+
+int ts_peers_apart(struct ts_files *files, int (*act)(void *data), void *data)
+{
+	const struct ts_files_peers *peers = files->peers;
+	int result;
+
+	files->peers = NULL;
+	result = act(data);
+	files->peers = peers;
+	return result;
+}
+
+int ts_peers_by_first(struct ts_files *files, int (*act)(void *data), void *data)
+{
+	if (!ts_peers(files))
+		return act(data);
+	return ts_peers_agree(files->peers, files->peers->first ? ts_peers_apart(files, act, data) : 0);
+}

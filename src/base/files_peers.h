@@ -20,4 +20,10 @@ int ts_peers_descriptor(const struct ts_files_peers *peers, const char *path);
 int ts_peers_copy(const struct ts_files_peers *peers, int from);
 int ts_peers_stat(const struct ts_files_peers *peers, const char *path, struct stat *out);
 
+/* What the first one does alone, as with a library or a program that writes the file: the functions of base/files.h that `act`
+ * calls are then those of one process. All get its result. */
+int ts_peers_by_first(struct ts_files *files, int (*act)(void *data), void *data);
+/* The same by the caller alone: the others do not call it. */
+int ts_peers_apart(struct ts_files *files, int (*act)(void *data), void *data);
+
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/files_peers.h"
 #include "base/mkdirs.h"
 
 #include "base/banned.h"
@@ -89,15 +90,24 @@ static enum ts_status change_file(struct ts_h5out *f, bool create, ts_h5out_fn *
 	return status == TS_OK ? ts_h5out_fail(f, "writing") : status;
 }
 
-static enum ts_status append(struct ts_h5out *f, bool fresh, ts_h5out_fn *write, const void *data)
+struct frame {
+	struct ts_h5out *f;
+	bool fresh;
+	ts_h5out_fn *write;
+	const void *data;
+};
+
+static int append(void *frame)
 {
+	const struct frame *of = frame;
+	struct ts_h5out *f = of->f;
 	struct stat info;
 
 	ts_mkdirs_for(&f->sim->files, f->path); /* an error shows when the file is opened */
-	if (fresh || ts_files_stat(&f->sim->files, f->path, &info) != 0 || info.st_size == 0)
-		return change_file(f, true, write, data);
+	if (of->fresh || ts_files_stat(&f->sim->files, f->path, &info) != 0 || info.st_size == 0)
+		return change_file(f, true, of->write, of->data);
 	if (H5Fis_hdf5(f->path) > 0)
-		return change_file(f, false, write, data);
+		return change_file(f, false, of->write, of->data);
 	return ts_fail(&f->sim->error, TS_DAMAGED, f->where,
 		       "cannot append to '%s': it is not an HDF5 file, or it is damaged", f->path);
 }
@@ -106,6 +116,7 @@ enum ts_status ts_h5out_append(struct tsim *sim, const char *path, const struct 
 			       ts_h5out_fn *write, const void *data)
 {
 	struct ts_h5out f = { .sim = sim, .path = path, .where = where };
+	struct frame frame = { &f, fresh, write, data };
 	H5E_auto2_t print;
 	void *print_data;
 	enum ts_status status;
@@ -119,7 +130,9 @@ enum ts_status ts_h5out_append(struct tsim *sim, const char *path, const struct 
 			       "writing '%s': the HDF5 library does not load: %s", path, f.reason);
 	H5Eget_auto2(H5E_DEFAULT, &print, &print_data);
 	H5Eset_auto2(H5E_DEFAULT, NULL, NULL); /* errors are reported here */
-	status = append(&f, fresh, write, data);
+	status = (enum ts_status)ts_peers_by_first(&sim->files, append, &frame);
+	if (status != TS_OK && sim->error.status == TS_OK) /* it is another rank that writes */
+		status = ts_fail(&sim->error, status, where, "writing '%s' failed", path);
 	H5Eclear2(H5E_DEFAULT);
 	H5Eset_auto2(H5E_DEFAULT, print, print_data);
 	return status;

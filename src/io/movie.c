@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "base/files_peers.h"
 #include "io/textfile.h"
 
 #include "base/banned.h"
@@ -163,28 +164,51 @@ static enum ts_status begin(struct ts_movie *m, struct tsim *sim, const struct t
 		       strerror(code));
 }
 
+struct frame {
+	struct ts_movie *movie;
+	struct tsim *sim;
+	const struct ts_place *where;
+	const char *path;
+	const unsigned char *rgb;
+};
+
+static int add(void *frame)
+{
+	const struct frame *f = frame;
+	struct ts_movie *m = f->movie;
+
+	if (m->frames == 0)
+		TS_TRY(begin(m, f->sim, f->where, f->path));
+	if (ts_feed_write(&m->ffmpeg, f->rgb, 3 * (size_t)m->width * m->height) != 0) {
+		const enum ts_status status = report_failure(m, ts_feed_end(&m->ffmpeg));
+
+		ts_movie_abandon(m);
+		return status;
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_movie_add(struct ts_movie *m, struct tsim *sim, const struct ts_place *where,
 			    const char *path, uint32_t width, uint32_t height, const unsigned char *rgb)
 {
+	struct frame frame = { m, sim, where, path, rgb };
+	enum ts_status status = TS_OK;
+
 	if (m->frames == 0) {
 		m->width = width;
 		m->height = height;
-		if (!sim->reading.explain)
-			TS_TRY(begin(m, sim, where, path));
 	}
 	if (width != m->width || height != m->height)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "movie '%s': a frame has %" PRIu32 " x %" PRIu32
 			       " pixels, those before it %" PRIu32 " x %" PRIu32 ": end the dump before",
 			       path, width, height, m->width, m->height);
-	if (!sim->reading.explain && ts_feed_write(&m->ffmpeg, rgb, 3 * (size_t)width * height) != 0) {
-		const enum ts_status status = report_failure(m, ts_feed_end(&m->ffmpeg));
-
-		ts_movie_abandon(m);
-		return status;
-	}
-	m->frames++;
-	return TS_OK;
+	if (!sim->reading.explain)
+		status = (enum ts_status)ts_peers_by_first(&sim->files, add, &frame);
+	if (status != TS_OK && sim->error.status == TS_OK) /* it is another rank that writes */
+		return ts_fail(&sim->error, status, where, "movie '%s': writing failed", path);
+	m->frames += status == TS_OK;
+	return status;
 }
 
 /* Some versions end with the exit status 0 though the disk was full ("Error writing trailer of ..."). */
@@ -193,20 +217,25 @@ static bool has_failed(const struct ts_movie *m, int status)
 	return status != 0 || strstr(m->ffmpeg.said, "Error ");
 }
 
-enum ts_status ts_movie_end(struct ts_movie *m)
+static int end(void *movie)
 {
+	struct ts_movie *m = movie;
 	enum ts_status status;
-	int code;
-
-	if (!m->file.file)
-		return TS_OK;
-	code = ts_feed_end(&m->ffmpeg);
+	int code = ts_feed_end(&m->ffmpeg);
 	if (*last_words(m) && !has_failed(m, code))
 		ts_warn(&m->file.sim->log, &m->file.where, "movie '%s': ffmpeg says: %s",
 			ts_str_text(&m->file.path), last_words(m));
 	status = has_failed(m, code) ? report_failure(m, code) : ts_replace_commit(&m->file, false);
 	ts_movie_abandon(m);
 	return status;
+}
+
+enum ts_status ts_movie_end(struct ts_movie *m)
+{
+	if (m->file.file)
+		return (enum ts_status)ts_peers_apart(&m->file.sim->files, end, m);
+	m->frames = 0;
+	return TS_OK;
 }
 
 void ts_movie_abandon(struct ts_movie *m)
