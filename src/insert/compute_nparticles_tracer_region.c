@@ -144,6 +144,7 @@ TS_STYLE(compute, ts_style, ts_compute_nparticles_tracer_region)
 const struct ts_style ts_compute_nparticles_tracer_region = {
 	.name = "nparticles/tracer/region",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Counts particles, and particles marked by a tracer, in a region",
 	.doc = "c_ID[1] and c_ID[2] are the number of particles of the group in the region and the number of "
 	       "marked ones among them; c_ID[3] and c_ID[4] are the masses of both.\n\n"

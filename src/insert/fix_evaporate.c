@@ -134,10 +134,19 @@ static const struct ts_value values[] = {
 
 static const struct ts_saved saved[] = { TS_SAVE_I64(struct state, gone), TS_SAVED_ROWS_END };
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_evaporate)
 const struct ts_style ts_fix_evaporate = {
 	.name = "evaporate",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
+	.due = is_due,
 	.summary = "Deletes randomly chosen particles",
 	.doc = "In each step that is a multiple of N, M particles are chosen at random among those of the "
 	       "group whose centres are in the region, and deleted; all of them if there are fewer. The "

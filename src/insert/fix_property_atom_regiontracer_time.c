@@ -153,6 +153,7 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom_regiontracer_time)
 const struct ts_style ts_fix_property_atom_regiontracer_time = {
 	.name = "property/atom/regiontracer/time",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Residence times of particles in the box and in regions",
 	.doc = "In each step dt is added to the time in the box of each particle of the group, and to the "
 	       "time in the regions that contained its center at the last check. Particles that are inserted "

@@ -47,10 +47,19 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return !s->done && sim->clock.step >= s->step && sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer)
 const struct ts_style ts_fix_property_atom_tracer = {
 	.name = "property/atom/tracer",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = is_due,
 	.summary = "Marks the particles in a region",
 	.doc = "At the end of the first step that is at least mark_step and a multiple of check_mark_every, "
 	       "the particles of the group whose centers are in the region are marked; with heaviside in "

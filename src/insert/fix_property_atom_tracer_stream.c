@@ -218,6 +218,7 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer_stream)
 const struct ts_style ts_fix_property_atom_tracer_stream = {
 	.name = "property/atom/tracer/stream",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Marks particles that pass the face of a fix insert/stream",
 	.doc = "Marks the first n_tracer particles of the group that pass the face of fix insert/stream in "
 	       "the step mark_step or later; with `every E` n_tracer more from the step mark_step + E on, "

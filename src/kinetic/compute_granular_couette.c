@@ -338,6 +338,7 @@ TS_STYLE(compute, ts_style, ts_compute_granular_couette)
 const struct ts_style ts_compute_granular_couette = {
 	.name = "granular/couette",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Shear flow of grains between rough walls by kinetic theory: profiles, stresses, slip",
 	.doc = doc,
 	.doc_more = doc_more,

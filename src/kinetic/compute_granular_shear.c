@@ -205,6 +205,7 @@ TS_STYLE(compute, ts_style, ts_compute_granular_shear)
 const struct ts_style ts_compute_granular_shear = {
 	.name = "granular/shear",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary =
 		"Uniform shear flow of grains by kinetic theory: temperature, stresses, normal differences",
 	.doc = doc,

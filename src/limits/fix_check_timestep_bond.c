@@ -99,10 +99,19 @@ static const struct ts_value values[] = {
 };
 static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, check.ratio), TS_SAVED_ROWS_END };
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return ts_step_check_is_due(&s->check, sim);
+}
+
 TS_STYLE(fix, ts_style, ts_fix_check_timestep_bond)
 const struct ts_style ts_fix_check_timestep_bond = {
 	.name = "check/timestep/bond",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = is_due,
 	.summary = "compares the time step with the vibration of the bonds",
 	.doc = "Every N steps three ratios are computed. f_ID[1] = dt/t_b, with the smallest time t_b = "
 	       "1/omega of the bonds between particles of the group. omega is the angular frequency of the "

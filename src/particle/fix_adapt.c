@@ -397,10 +397,19 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_adapt)
 const struct ts_style ts_fix_adapt = {
 	.name = "adapt",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
+	.due = is_due,
 	.summary = "Changes properties of particles or coefficients of contacts during a run",
 	.doc = "At the start of the first run, and in each step that is a multiple of N, the variables are "
 	       "evaluated and assigned: to the diameter, density or mass of the particles in the group, or to "

@@ -123,6 +123,7 @@ TS_STYLE(fix, ts_style, ts_fix_recenter)
 const struct ts_style ts_fix_recenter = {
 	.name = "recenter",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Keeps the centre of mass of a group at a given position",
 	.doc = "In each step, after positions have been integrated, the particles of the shifted group are "
 	       "moved together so that the centre of mass of the fix's group (unwrapped positions) is at the "

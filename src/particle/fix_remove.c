@@ -301,10 +301,19 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_remove)
 const struct ts_style ts_fix_remove = {
 	.name = "remove",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
+	.due = is_due,
 	.summary = "Removes mass of particles at a given rate",
 	.doc = "In each step that is a multiple of nevery, mass is removed from the particles of the group "
 	       "whose centres are in the region. The mass due is rate*t, where t is the time since the last "

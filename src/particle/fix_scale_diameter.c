@@ -144,10 +144,19 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return s->every > 0 && sim->clock.step % s->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_scale_diameter)
 const struct ts_style ts_fix_scale_diameter = {
 	.name = "scale/diameter",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_STEPS,
+	.due = is_due,
 	.summary = "Scales diameters by the distance from the centre of a region",
 	.doc = "At the start of the first run, and in each step that is a multiple of N, the diameter of "
 	       "each particle of the group is set to f times its original diameter, that at the time when "

@@ -84,6 +84,7 @@ TS_STYLE(compute, ts_style, ts_compute_active_paml)
 const struct ts_style ts_compute_active_paml = {
 	.name = "active/paml",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE,
 	.summary = "Active particles in chemical-mechanical polishing: particle-augmented mixed lubrication",
 	.doc = "Number of abrasive particles that are pressed between a pad and a wafer in a simulation of "
 	       "the particles: contact laws, the motion of the pad or the wafer, and the drag of the slurry "

@@ -17,6 +17,7 @@ TS_STYLE(compute, ts_style, ts_compute_active_pml)
 const struct ts_style ts_compute_active_pml = {
 	.name = "active/pml",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Active particles in chemical-mechanical polishing: particle mono-layer model",
 	.doc = "Number of abrasive particles that are pressed between a pad and a wafer. The particles, of "
 	       "mean volume V_p, fill the volume fraction phi of the slurry evenly; those of the layer next "

@@ -145,6 +145,7 @@ TS_STYLE(compute, ts_style, ts_compute_surface_contact)
 const struct ts_style ts_compute_surface_contact = {
 	.name = "surface/contact",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Contact of a rough surface with a plane: Winkler foundation or elastic half-space",
 	.doc = doc,
 	.example = "fix pad all surface/voxel gaussian deviation 4.7e-6 correlation 5e-6 seed 11 type 1 "

@@ -568,6 +568,7 @@ TS_STYLE(fix, ts_style, ts_fix_surface_voxel)
 const struct ts_style ts_fix_surface_voxel = {
 	.name = "surface/voxel",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "A height field of columns: from a formula, a file, an image, or random",
 	.doc = doc,
 	.doc_more = doc_more,

@@ -15,7 +15,14 @@ numbers=${TS_RANKS-}
 cp "$scenes"/in.* .
 sed '/energy\/ledger/d' "$decks/in.insertion" >in.insertion
 sed '/energy\/ledger/d' "$decks/in.rigid" >in.rigid
-cp "$decks/in.pour" "$decks/in.clumps" .
+sed '/energy\/ledger/d' "$decks/in.tracers" >in.tracers
+cp "$decks/in.pour" "$decks/in.clumps" "$decks/in.receding" .
+# Height fields, one of which is pressed on a plane.
+sed 's/^dump_modify.*/&\ncompute pressed all surface\/contact rough winkler 1e6 pressure 5e3\ncompute pi all active\/pi pressed radius 0.005 fraction 0.1 deviation 0.001 hardness 1e9\ncompute pml all active\/pml pressed radius 0.005 fraction 0.1/
+	s/^thermo_style.*/& c_pressed c_pi c_pml/' "$decks/in.voxels" >in.voxels
+# Files that libraries and other programs write.
+awk '/^run/ && !n++ { print "dump film all movie 60 ${out}.mp4 type type size 80 80\ndump track all h5md 60 ${out}.h5 position velocity radius" }
+	{ print }' "$scenes/in.outlet" >in.film
 sed '/energy\/ledger/d' "$decks/in.heat" >in.heat
 sed 's/heat\/gran\/conduction/heat\/gran/; s/initial_temperature 293.15/& scheme exact/' in.heat >in.heat_exact
 sed 's/tangential history/& cohesion sjkr/; s/^pair_style/fix m5 all property\/global cohesionEnergyDensity peratomtypepair 2 3e4 2e4 2e4 1e4\n&/' in.bed >in.sticky
@@ -87,13 +94,17 @@ files_of() {
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
-for scene in averages halves drum mill sieve forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
+film=film # needs HDF5 and ffmpeg
+"$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
+for scene in averages halves drum mill sieve waves sorted voxels receding tracers $film forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
 			files_of ranks on_ranks "${n%x2}" "$TSIM"
-		diff -rq -x log -x out -x '*.restart' alone ranks >difference
+		diff -rq -x log -x out -x '*.restart' -x '*.h5' alone ranks >difference
 		report "$scene: the same files on $n ranks" $? difference
+		[ ! -f alone/x.h5 ] || [ "$(cmp -l alone/x.h5 ranks/x.h5 2>&1 | wc -l)" -le 32 ] # times at which objects were made
+		report "$scene: the same HDF5 file on $n ranks" $?
 	done
 done
 finish
