@@ -49,8 +49,11 @@ const double *ts_particle_tally_sums(struct ts_particle_tally *tally)
 
 enum ts_status ts_particle_tally_join(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_particle_tally *tally = self->state;
+	return ts_particle_tally_merge(self->state, sim);
+}
 
+enum ts_status ts_particle_tally_merge(struct ts_particle_tally *tally, struct tsim *sim)
+{
 	if (!tally->fresh)
 		return TS_OK;
 	TS_TRY(ts_rank_sums(sim, (const double *)tally->note, tally->n, TS_PARTICLE_TALLY_MOST,

@@ -26,6 +26,8 @@ double (*ts_particle_tally_append(struct ts_particle_tally *tally, size_t member
 const double *ts_particle_tally_sums(struct ts_particle_tally *tally);
 /* Slot `join` of fixes whose state begins with a tally: the sums over the particles of all ranks. */
 enum ts_status ts_particle_tally_join(struct ts_instance *self, struct tsim *sim);
+/* The same for any tally. */
+enum ts_status ts_particle_tally_merge(struct ts_particle_tally *tally, struct tsim *sim);
 void ts_particle_tally_release(struct ts_particle_tally *tally);
 /* Saves or restores the sums; called by the archive function of the fix. */
 enum ts_status ts_particle_tally_archive(struct ts_archive *archive, struct ts_particle_tally *tally);

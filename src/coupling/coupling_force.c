@@ -171,6 +171,11 @@ enum ts_status ts_coupling_force_archive(struct ts_instance *self, struct tsim *
 	return ts_particle_tally_archive(a, &((struct ts_coupling_force *)self->state)->total);
 }
 
+enum ts_status ts_coupling_force_join(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_particle_tally_merge(&((struct ts_coupling_force *)self->state)->total, sim);
+}
+
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;

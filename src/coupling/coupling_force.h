@@ -52,10 +52,12 @@ enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsi
  * with a late hook calls it itself, after it has added to the tally. */
 enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_coupling_force_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+enum ts_status ts_coupling_force_join(struct ts_instance *self, struct tsim *sim);
 void ts_coupling_force_fini(struct ts_instance *self);
 
-#define TS_COUPLING_FORCE_SLOTS                                                                 \
-	.kind = TS_KIND_FIX, .family = TS_FAMILY_FLOW_PART, .values = ts_coupling_force_values, \
+#define TS_COUPLING_FORCE_SLOTS                                                                        \
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS, .join = ts_coupling_force_join, .kind = TS_KIND_FIX, \
+	.family = TS_FAMILY_FLOW_PART, .values = ts_coupling_force_values,                             \
 	.hook = { [TS_STAGE_POST_FORCE] = ts_coupling_force_post_force }
 
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "core/sim.h"
 #include "coupling/drag_exchange.h"
 #include "coupling/drag_slip.h"
@@ -371,6 +372,14 @@ enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struc
 	if (!ts_archive_writing(a) && !ts_archive_has(a, "reynolds"))
 		return TS_OK;
 	return ts_archive_fixed(a, "reynolds", TS_SAVED_F64, &s->reynolds, 1);
+}
+
+enum ts_status ts_drag_join(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+
+	s->reynolds = ts_ranks_most(sim, s->reynolds);
+	return ts_particle_tally_merge(&s->total, sim);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)

@@ -125,6 +125,11 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_particle_tally_archive(a, &((struct state *)self->state)->total);
 }
 
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_particle_tally_merge(&((struct state *)self->state)->total, sim);
+}
+
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
@@ -159,6 +164,8 @@ TS_STYLE(fix, ts_style, ts_fix_buoyancy)
 const struct ts_style ts_fix_buoyancy = {
 	.name = "buoyancy",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = join,
 	.summary = "Buoyancy of particles in a fluid at rest",
 	.doc = "F = -rho V g, with V the volume of the part of the particle that is below the level (on the "
 	       "side to which gravity points): the whole sphere, or a cap of volume pi h^2 (3 R - h)/3. g is "

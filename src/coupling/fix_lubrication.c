@@ -5,6 +5,7 @@
 
 #include "base/alloc.h"
 #include "base/parallel.h"
+#include "core/ranks.h"
 #include "core/report.h"
 #include "mesh/mesh_motion.h"
 #include "neigh/neigh.h"
@@ -381,6 +382,17 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return TS_OK;
 }
 
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double most[2] = { -s->gap, s->rate };
+
+	ts_ranks_most_of(sim, most, 2);
+	s->gap = -most[0];
+	s->rate = most[1];
+	return TS_OK;
+}
+
 enum { GAP, STEP };
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -472,6 +484,8 @@ TS_STYLE(fix, ts_style, ts_fix_lubrication)
 const struct ts_style ts_fix_lubrication = {
 	.name = "lubrication",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = join,
 	.summary =
 		"forces of thin layers of viscous fluid between particles, and between particles and walls",
 	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < `outer` "

@@ -1,6 +1,7 @@
 /* Compute leave: counts particles that leave a region. */
 #include "particle/columns.h"
 #include "particle/particles.h"
+#include "particle/rank_sums.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -11,6 +12,9 @@ struct leave {
 	int64_t inside; /* particles inside now */
 	size_t column;	/* of the particles: 1 inside, 0 outside */
 	bool started;
+	/* Of the particles of this rank, while they are divided: entries since the last `join`, particles inside. */
+	int64_t part_seen, part_inside;
+	bool parted; /* a step has counted these */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -34,16 +38,34 @@ static enum ts_status count_entries(struct ts_instance *self, struct tsim *sim)
 	struct leave *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	double *flag = p->column[s->column].data;
+	int64_t *seen = sim->division ? &s->part_seen : &s->seen;
+	int64_t *now = sim->division ? &s->part_inside : &s->inside;
 
 	TS_TRY(ts_region_update(s->region, sim));
-	s->inside = 0;
+	s->parted = sim->division != NULL;
+	*now = 0;
 	for (size_t i = 0; i < p->n; i++) {
 		bool inside = ts_in_group(p, i, self->group) && ts_region_contains(s->region, p->x[i]);
 
-		s->seen += inside && flag[i] == 0;
-		s->inside += inside;
+		*seen += inside && flag[i] == 0;
+		*now += inside;
 		flag[i] = inside;
 	}
+	return TS_OK;
+}
+
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	struct leave *s = self->state;
+
+	if (!s->parted)
+		return TS_OK;
+	ts_rank_sums_count(sim, &s->part_seen);
+	ts_rank_sums_count(sim, &s->part_inside);
+	s->seen += s->part_seen;
+	s->inside = s->part_inside;
+	s->part_seen = 0;
+	s->parted = false;
 	return TS_OK;
 }
 
@@ -109,4 +131,6 @@ const struct ts_style ts_compute_leave = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_SETUP] = count_entries, [TS_STAGE_END_OF_STEP] = count_entries },
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_PARTICLES,
+	.join = join,
 };

@@ -27,6 +27,7 @@ sed '/energy\/ledger/d' "$decks/in.heat" >in.heat
 sed 's/heat\/gran\/conduction/heat\/gran/; s/initial_temperature 293.15/& scheme exact/' in.heat >in.heat_exact
 sed 's/tangential history/& cohesion sjkr/; s/^pair_style/fix m5 all property\/global cohesionEnergyDensity peratomtypepair 2 3e4 2e4 2e4 1e4\n&/' in.bed >in.sticky
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
+sed "s;^flow_style.*;flow_style stagnation axisymmetric point 0.03 0.02 0 normal 0 0 1 rate 20 profile viscous viscosity 2e-3 density 300;" in.stream >in.jet
 
 # bonds NAME STYLE COEFFICIENTS: in.NAME, the fabric of in.beams with other bonds
 bonds() {
@@ -94,9 +95,7 @@ files_of() {
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
-film=film # needs HDF5 and ffmpeg
-"$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
-for scene in averages halves drum mill sieve waves sorted voxels receding tracers $film forces forces_hertz flat insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
+for scene in averages halves drum mill sieve waves sorted voxels receding tracers $film forces forces_hertz flat stream jet insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \

@@ -198,6 +198,23 @@ function motion_and_forces() {
 	if (face["z"] != "p" && chance(6)) print "fix mirror all wall/reflect zhi " len(high["z"] - 0.2) " zlo " len(low["z"] + 0.2)
 }
 
+# A fluid of given velocity with drag, and what acts in it.
+function fluid(   weight, scheme) {
+	if (!chance(3)) return
+	weight = density / 4
+	print "flow_style uniform velocity " speed(between(-0.5, 0.5)) " 0 " speed(between(0, 2)) " viscosity " \
+		2e-3 * kilogram / metre * scale " density " weight
+	scheme = pick("explicit exact implicit")
+	print "fix flow " pick("all part odd") " drag/" pick("stokes schiller_naumann") " scheme " scheme \
+		(chance(2) ? " axes " pick("z xy") : "")
+	if (chance(3)) print "fix heavy part added_mass"
+	if (chance(3)) print "fix spin all lift/" pick("magnus saffman")
+	streams = " f_flow[3] f_flow[4]"
+	print "region low block INF INF INF INF INF " len(middle("z")) " units box"
+	print "compute gone " pick("all odd") " leave low"
+	streams = streams " c_gone c_gone[3]"
+}
+
 function insertion(   at) {
 	if (!chance(3)) return
 	print "fix t1 all particletemplate/sphere 15485863 volume_limit " 1e-3 * diameter ^ 3 " atom_type 1 density constant " density \
@@ -217,7 +234,7 @@ function insertion(   at) {
 function outputs(   columns) {
 	print "compute er all erotate/sphere"
 	print "compute top all reduce max z vx"
-	columns = "step atoms ke c_er c_top[1] nbuild" wall_forces bonded warmth
+	columns = "step atoms ke c_er c_top[1] nbuild" wall_forces bonded warmth streams
 	if (chance(2)) { print "compute touch all contact/atom"; print "compute most all reduce sum c_touch"; columns = columns " c_most" }
 	if (chance(2)) { print "compute msd part msd com yes"; columns = columns " c_msd[4]" }
 	if (chance(3)) columns = columns " press pxx pyz"
@@ -262,6 +279,7 @@ BEGIN {
 	heat()
 	bodies()
 	motion_and_forces()
+	fluid()
 	insertion()
 	outputs()
 	once("run " whole(60, 300))
