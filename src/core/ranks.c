@@ -63,7 +63,9 @@ const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_wor
 static enum ts_status check_words(struct tsim *sim, const struct ts_style *style, const char *what,
 				  struct ts_words words)
 {
-	const struct ts_word *shared = style->ranks & TS_RANKS_OWN ? ts_ranks_find_shared(sim, words) : NULL;
+	const struct ts_word *shared = (style->ranks & (TS_RANKS_OWN | TS_RANKS_FORMULAS)) == TS_RANKS_OWN
+					       ? ts_ranks_find_shared(sim, words)
+					       : NULL;
 
 	if (!shared)
 		return TS_OK;
@@ -99,6 +101,22 @@ static enum ts_status check_variables(struct tsim *sim)
 	return TS_OK;
 }
 
+void ts_ranks_apart(struct tsim *sim, bool begins)
+{
+	sim->run.apart = begins && ts_ranks(sim) > 1;
+}
+
+enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const struct ts_place *where)
+{
+	if (!sim->run.apart && !sim->division)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "'%s' is needed in each step, when each rank has its own particles only (there are "
+		       "%d ranks): expected the time, the step, the box, numbers of the fluid and variables "
+		       "of these; run tsim without mpirun, with threads (OMP_NUM_THREADS); see doc/ranks.md",
+		       name, ts_ranks(sim));
+}
+
 enum ts_status ts_ranks_check_systems(struct tsim *sim)
 {
 	for (const struct ts_system_style *const *s = sim->tables->systems; ts_ranks(sim) > 1 && *s; s++) {
@@ -115,9 +133,12 @@ enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim)
 	for (size_t k = 0; k < plan->n[TS_STAGE_END_OF_STEP]; k++) {
 		struct ts_instance *self = plan->actions[TS_STAGE_END_OF_STEP][k].self;
 
-		if (self->style->settle && self->style->due(self, sim))
-			TS_TRY(self->style->settle(self, sim));
+		if (!self->style->settle || !self->style->due(self, sim))
+			continue;
+		sim->draws = (struct ts_draws){ plan->actions[TS_STAGE_END_OF_STEP][k].site, 0 };
+		TS_TRY(self->style->settle(self, sim));
 	}
+	sim->draws = (struct ts_draws){ 0 };
 	return TS_OK;
 }
 

@@ -39,6 +39,10 @@ enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, co
 const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words);
 /* The same for an option; `what`: its name. */
 enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
+/* Between two calls formulas are evaluated that are also evaluated while the particles are divided. */
+void ts_ranks_apart(struct tsim *sim, bool begins);
+/* An error if a name that depends on particles is read then, or while they are divided. */
+enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const struct ts_place *where);
 /* Before a run: asks all systems whether the particles can be divided. */
 enum ts_status ts_ranks_check_systems(struct tsim *sim);
 /* Calls the slot `settle` of the styles that have anything to do in this step. */

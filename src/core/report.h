@@ -37,6 +37,12 @@ struct ts_plan_report {
 	struct ts_left_out *left_out;
 	size_t nleft_out, left_out_capacity;
 	double bytes; /* memory of the simulation, bytes */
+	double whole; /* the part of it that every rank has, however many there are */
+	/* With several ranks: what each of them sends to all others in a step besides copies of particles. */
+	struct ts_report_shared {
+		int messages;
+		double bytes; /* of each of its particles */
+	} shared;
 	struct ts_output *output;
 	size_t noutputs, output_capacity;
 };

@@ -136,6 +136,7 @@ struct ts_run_state {
 	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
 	bool relist;	     /* the contact list alone is to be rebuilt: no particle is deleted */
 	bool looks;    /* all ranks have all particles for outputs, but each has lists of its own only */
+	bool apart;    /* with several ranks: formulas are evaluated that may read nothing of particles */
 	bool uneven;   /* some ranks have so many particles that all are to be divided again */
 	bool complete; /* the run may end with this step: it stores all that can be read afterwards */
 	bool shows_contacts; /* an output reads forces of contacts, or an outside program may do so */

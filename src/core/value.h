@@ -62,7 +62,8 @@ enum ts_keyword_flags {
 	TS_KEYWORD_CLOCK = 4, /* if the number of steps of the run is known */
 	TS_KEYWORD_BOX = 8,   /* if no run changes the box */
 	TS_KEYWORD_CONSTANT = 16,
-	TS_KEYWORD_LISTS = 32 /* reads lists of pairs, but no forces of contacts */
+	TS_KEYWORD_LISTS = 32, /* reads lists of pairs, but no forces of contacts */
+	TS_KEYWORD_FLUID = 64  /* reads fields of the fluid only, which all ranks have */
 };
 
 /* A named number of a system, for thermo_style and formulas; tables are closed by .name NULL. */

@@ -1,5 +1,6 @@
 /* Particles in the fluid sorted by cell and then by identity: sums over them do not depend on the order of
- * particles in memory or on the number of threads.
+ * particles in memory or on the number of threads. While the particles are divided among ranks, all ranks sort those of
+ * all ranks, and so have the same sums.
  *
  * For adding to fields of the grid in parallel the cells are divided into slabs across the last axis,
  * thick enough that particles of every second slab write to different cells: these slabs are processed in
@@ -9,15 +10,28 @@
 
 #include "coupling/interpolation_weights.h"
 #include "flow/fluid.h"
+#include "rank/world.h"
+
+/* The particles that are sorted, of all ranks: one row each. */
+struct ts_cell_rows {
+	size_t n, first; /* first: row of the first own particle; the others follow in their order */
+	const double (*x)[3];
+	const double *radius;
+	const int32_t *tag;
+	const uint32_t *mask;
+};
 
 /* All particles of the simulation in the fluid, sorted. */
 struct ts_cell_sort {
-	/* indices of particles, sorted; cell of each particle, or -1. Owned, as the arrays below */
+	struct ts_cell_rows of;
+	struct ts_parcel gathered; /* what `of` points to while the particles are divided among ranks */
+	bool divided;
+	/* indices of rows, sorted; cell of each row, or -1. Owned, as the arrays below */
 	int32_t *row, *cell;
 	uint64_t *where; /* the same as three numbers: ts_cell_order_locate */
 	size_t *start;	 /* of each cell: its first index in `row` */
 	size_t n;	 /* number of particles in the fluid */
-	/* The state that was sorted: if nothing has changed, it is not sorted again. */
+	/* The state of the own particles that was sorted: if nothing has changed, they are not sorted again. */
 	struct ts_cell_sorted {
 		double x[3];
 		int32_t tag;
@@ -32,9 +46,9 @@ struct ts_cell_sort {
 struct ts_cell_order {
 	struct ts_cell_sort own;
 	const struct ts_cell_sort *sort; /* `own`, or that of another fix */
-	const struct ts_particles *particles;
-	int group;    /* particles for which `add` is called */
-	size_t *slab; /* of each slab: its first index in `row`. Owned */
+	int group;			 /* particles for which `add` is called */
+	struct ts_parcel shared;	 /* ts_cell_order_share */
+	size_t *slab;			 /* of each slab: its first index in `row`. Owned */
 	int nslabs;
 	bool ring; /* periodic axis: the last slab is beside the first */
 	size_t slab_capacity;
@@ -51,11 +65,12 @@ void ts_cell_order_release(struct ts_cell_order *order);
 enum { TS_CELL_BITS = 20 };
 #define TS_CELL_ELSEWHERE (UINT64_C(1) << 63)
 
-/* ts_coupling_locate for particle i, after ts_cell_order_make, while nothing moves. */
+/* ts_coupling_locate for the particle of a row, after ts_cell_order_make, while nothing moves. */
 static inline bool ts_cell_order_locate(const struct ts_cell_order *order, const struct ts_fluid *fluid,
-					const double x[3], size_t i, double place[3], int cell[3])
+					size_t row, double place[3], int cell[3])
 {
-	const uint64_t where = order->sort->where[i], mask = (UINT64_C(1) << TS_CELL_BITS) - 1;
+	const uint64_t where = order->sort->where[row], mask = (UINT64_C(1) << TS_CELL_BITS) - 1;
+	const double *x = order->sort->of.x[row];
 
 	if (where & TS_CELL_ELSEWHERE)
 		return ts_coupling_locate(fluid, x, place, cell);
@@ -66,7 +81,23 @@ static inline bool ts_cell_order_locate(const struct ts_cell_order *order, const
 	return true;
 }
 
-/* Calls `add` for each particle of the group, in parallel for particles that add to different cells. */
+/* The same for the own particle i. */
+static inline bool ts_cell_order_locate_own(const struct ts_cell_order *order, const struct ts_fluid *fluid,
+					    size_t i, double place[3], int cell[3])
+{
+	return ts_cell_order_locate(order, fluid, order->sort->of.first + i, place, cell);
+}
+
+/* Numbers of the own particles, `width` of particle i from mine[stride * i] on, for `add`, which finds those of a row r
+ * at from[stride * r]. While the particles are divided all ranks call it, and get those of all ranks. */
+struct ts_cell_numbers {
+	const double *from;
+	size_t stride;
+};
+enum ts_status ts_cell_order_share(struct ts_cell_order *order, struct tsim *sim, const double *mine,
+				   size_t stride, size_t width, struct ts_cell_numbers *out);
+
+/* Calls `add` for the row of each particle of the group, in parallel for particles that add to different cells. */
 typedef void ts_cell_order_fn(void *context, size_t row);
 void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add, void *context);
 

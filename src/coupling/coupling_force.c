@@ -33,7 +33,9 @@ enum ts_status ts_coupling_force_init(struct ts_instance *self, struct tsim *sim
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "%s needs a fluid with a density: give flow_style %s one", who,
 			       s->flow->style->name);
-	if (s->fluid && s->two_way && !style->internal)
+	s->part.sorts = s->fluid && s->two_way && !style->internal;
+	s->part.shared = s->part.sorts ? 3 * sizeof(double) : 0;
+	if (s->part.sorts)
 		return ts_fluid_require_fields(s->fluid, sim, TS_FLUID_FORCE);
 	return TS_OK;
 }
@@ -98,33 +100,35 @@ static bool find_local_flow(const struct ts_instance *self, const struct ts_part
 	return true;
 }
 
-struct context {
+struct reactions {
 	struct ts_coupling_force *force;
-	const struct ts_particles *particles;
+	struct ts_cell_numbers of;
 };
 
-static void add_reaction(void *data, size_t i)
+static void add_reaction(void *data, size_t row)
 {
-	const struct context *context = data;
-	struct ts_fluid *fluid = context->force->fluid;
-	const struct ts_coupling_reaction reaction = { context->force->total.note[i],
+	const struct reactions *r = data;
+	struct ts_fluid *fluid = r->force->fluid;
+	const struct ts_coupling_reaction reaction = { r->of.from + r->of.stride * row,
 						       NULL,
 						       { true, true, true } };
 	struct ts_coupling_place at = { .how = TS_INTERPOLATE_LINEAR };
 
-	if (ts_cell_order_locate(&context->force->order, fluid, context->particles->x[i], i, at.x, at.cell))
+	if (ts_cell_order_locate(&r->force->order, fluid, row, at.x, at.cell))
 		ts_coupling_faces_react(fluid, &at, &reaction, NULL);
 }
 
 enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_coupling_force *s = self->state;
-	struct context context = { s, sim->particles };
+	struct reactions reactions = { .force = s };
 
 	if (!s->fluid || !s->two_way || style_of(self)->internal || sim->run.in_setup)
 		return TS_OK;
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_reaction, &context);
+	TS_TRY(ts_cell_order_share(&s->order, sim, (const double *)s->total.note, TS_PARTICLE_TALLY_MOST, 3,
+				   &reactions.of));
+	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_reaction, &reactions);
 	return TS_OK;
 }
 

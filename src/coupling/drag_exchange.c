@@ -2,6 +2,9 @@
  * after its step. */
 
 #include <math.h>
+#include <string.h>
+
+#include "base/alloc.h"
 
 #include "coupling/drag_exchange.h"
 #include "coupling/drag_slip.h"
@@ -18,31 +21,66 @@ double ts_drag_steps_to_fluid(const struct ts_drag *s)
 	return p->waited + 1 >= p->every ? (double)p->every : 0;
 }
 
+struct reactions {
+	struct ts_drag *drag;
+	struct ts_cell_numbers force, slope;
+	size_t first, n; /* rows of the own particles */
+};
+
 /* Adds the reaction to the drag on one particle to the fluid. */
-static void add_reaction(void *context, size_t i)
+static void add_reaction(void *context, size_t row)
 {
-	struct ts_instance *self = ((struct ts_instance **)context)[0];
-	struct tsim *sim = ((struct tsim **)context)[1];
-	struct ts_drag *s = self->state;
+	const struct reactions *r = context;
+	struct ts_drag *s = r->drag;
 	struct ts_fluid *fluid = s->fluid;
 	struct ts_coupling_place at = { .how = (enum ts_coupling_interpolation)s->interpolation };
-	const struct ts_coupling_reaction reaction = { s->total.note[i],
-						       s->lagged ? NULL : s->exchange[i].slope,
-						       { ts_drag_acts_along(s, 0), ts_drag_acts_along(s, 1),
-							 ts_drag_acts_along(s, 2) } };
+	const size_t own = row - r->first;
+	const struct ts_coupling_reaction reaction = {
+		r->force.from + r->force.stride * row,
+		s->lagged ? NULL : r->slope.from + r->slope.stride * row,
+		{ ts_drag_acts_along(s, 0), ts_drag_acts_along(s, 1), ts_drag_acts_along(s, 2) }
+	};
 
-	if (ts_cell_order_locate(&s->order, fluid, sim->particles->x[i], i, at.x, at.cell))
-		ts_coupling_faces_react(fluid, &at, &reaction, s->exchange[i].fluid_velocity);
+	if (ts_cell_order_locate(&s->order, fluid, row, at.x, at.cell))
+		ts_coupling_faces_react(fluid, &at, &reaction,
+					own < r->n ? s->exchange[own].fluid_velocity : NULL);
+}
+
+/* While the particles are divided among ranks: force and slope of a particle side by side, for one message. */
+static enum ts_status share_reactions(struct ts_drag *s, struct tsim *sim, struct reactions *r)
+{
+	size_t n = sim->particles->n;
+	double(*both)[6] = sim->division ? ts_alloc(n, sizeof *both) : NULL;
+	enum ts_status status;
+
+	if (!sim->division)
+		return TS_OK;
+	if (!both)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < n; i++) {
+		memcpy(both[i], s->total.note[i], 3 * sizeof(double));
+		memcpy(both[i] + 3, s->exchange[i].slope, 3 * sizeof(double));
+	}
+	status = ts_cell_order_share(&s->order, sim, (const double *)both, 6, s->lagged ? 3 : 6, &r->force);
+	r->slope = (struct ts_cell_numbers){ r->force.from + 3, r->force.stride };
+	ts_free(both);
+	return status;
 }
 
 enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
-	void *context[2] = { self, sim };
+	struct reactions reactions = { .drag = s,
+				       .force = { (const double *)s->total.note, TS_PARTICLE_TALLY_MOST },
+				       .slope = { (const double *)s->exchange, /* begins with it */
+						  sizeof *s->exchange / sizeof(double) },
+				       .n = sim->particles->n };
 
 	if (!s->sorted)
 		TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_reaction, context);
+	TS_TRY(share_reactions(s, sim, &reactions));
+	reactions.first = s->order.sort->of.first;
+	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_reaction, &reactions);
 	s->nexchange = sim->particles->n;
 	return TS_OK;
 }

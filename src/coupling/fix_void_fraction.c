@@ -1,4 +1,5 @@
 /* Fix void_fraction: volume fraction of the fluid in each cell. */
+#include "core/ranks.h"
 #include "core/report.h"
 
 #include <math.h>
@@ -47,27 +48,28 @@ struct context {
 	const struct tsim *sim;
 };
 
-static void add_particle(void *data, size_t i)
+static void add_particle(void *data, size_t row)
 {
 	const struct context *c = data;
-	const struct ts_particles *p = c->sim->particles;
-	struct ts_coupling_volume how = distribution_of(c->state, c->sim);
+	const struct state *s = c->state;
+	struct ts_coupling_volume how = distribution_of(s, c->sim);
 	double place[3];
 	int cell[3];
 
-	if (ts_cell_order_locate(&c->state->order, c->state->fluid, p->x[i], i, place, cell))
-		ts_coupling_volume_add(&c->state->fluid->grid, &how, place, cell, p->radius[i],
-				       c->state->fluid->void_fraction);
+	if (ts_cell_order_locate(&s->order, s->fluid, row, place, cell))
+		ts_coupling_volume_add(&s->fluid->grid, &how, place, cell, s->order.sort->of.radius[row],
+				       s->fluid->void_fraction);
 }
 
-static double largest_radius(const struct ts_instance *self, const struct ts_particles *p)
+static double largest_radius(const struct ts_instance *self, const struct tsim *sim)
 {
+	const struct ts_particles *p = sim->particles;
 	double largest = 0;
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			largest = fmax(largest, p->radius[i]);
-	return largest;
+	return ts_ranks_most(sim, largest);
 }
 
 /* Method centre in a cell narrower than the particle may give a solid fraction above 1. */
@@ -105,6 +107,8 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 	if (s->warned_kernel || s->method != TS_VOLUME_KERNEL || !(diameter > 0) || !(most > 1.000001 * fits))
 		return;
 	s->warned_kernel = true;
+	if (!ts_ranks_first(sim))
+		return;
 	ts_warn(&sim->log, &self->where,
 		"fix void_fraction: cells are up to %.4g wide, %.3g diameters of the largest particle, and "
 		"do not resolve the kernel, which reaches %.4g to either side: the void fraction is the mean "
@@ -118,7 +122,7 @@ static enum ts_status check_reach(struct ts_instance *self, struct tsim *sim, in
 {
 	const struct state *s = self->state;
 	struct ts_coupling_volume how = distribution_of(s, sim);
-	double largest = largest_radius(self, sim->particles);
+	double largest = largest_radius(self, sim);
 
 	TS_TRY(check_centre(self, sim, 2 * largest));
 	check_kernel(self, sim, 2 * largest);
@@ -153,13 +157,12 @@ static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
 		}
 	}
 	s->found = least;
-	if (cells && !s->warned) {
+	if (cells && !s->warned && ts_ranks_first(sim))
 		ts_warn(&sim->log, &self->where,
 			"fix void_fraction: %lld cells have a void fraction down to %g, below `least` %g, "
 			"which is used instead (printed once)",
 			(long long)cells, least, s->least);
-		s->warned = true;
-	}
+	s->warned |= cells > 0;
 }
 
 /* Whether particles have moved or changed since the field was computed: a fixed bed costs nothing. */
@@ -182,7 +185,7 @@ static enum ts_status compare_particles(struct ts_instance *self, struct tsim *s
 		memcpy(s->last_particles[i], now, sizeof now);
 		changed = true;
 	}
-	*moved = changed;
+	*moved = ts_ranks_most(sim, changed) > 0;
 	return TS_OK;
 }
 
@@ -195,7 +198,7 @@ static enum ts_status make_field(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(check_reach(self, sim, &reach));
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
 	memset(s->fluid->void_fraction, 0, s->fluid->grid.size * sizeof *s->fluid->void_fraction);
-	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_particle, &context);
+	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_particle, &context);
 	limit_void_fraction(self, sim);
 	ts_fluid_fill_centred(s->fluid, s->fluid->void_fraction);
 	return TS_OK;
@@ -217,6 +220,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
 	s->part.volume_distribution = volume_distribution;
 	s->part.order = &s->order;
+	s->part.sorts = true;
 	s->sim = sim;
 	s->nlast = 0;
 	return make_field(self, sim);
@@ -293,6 +297,7 @@ TS_STYLE(fix, ts_style, ts_fix_void_fraction)
 const struct ts_style ts_fix_void_fraction = {
 	.name = "void_fraction",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Void fraction: the part of each cell that is not occupied by particles",
 	.doc = "e = 1 - (volume of particles in the cell)/(volume of the cell). It enters the equations of "
 	       "the fluid, de/dt + div(e u) = 0 and e rho (du/dt + u.grad u) = -e grad p + ..., with u the "

@@ -2,7 +2,10 @@
 
 #include <inttypes.h>
 
+#include "core/ranks.h"
+
 #include "particle/particles.h"
+#include "particle/rank_sums.h"
 
 #include "base/banned.h"
 
@@ -11,8 +14,10 @@ static void warn_outside(struct tsim *sim, const struct ts_instance *self, size_
 	const struct ts_particles *p = sim->particles;
 	size_t i = 0;
 
-	while (i + 1 < p->n && p->tag[i] != tag)
+	while (i < p->n && p->tag[i] != tag)
 		i++;
+	if (i == p->n) /* it is on another rank, which warns */
+		return;
 	ts_warn(&sim->log, &self->where,
 		"fix %s: at step %" PRId64 " %zu of its particles are outside the grid of the fluid, where "
 		"no force of the fluid acts (particle %" PRId64
@@ -25,9 +30,13 @@ void ts_coupling_count_outside(struct ts_fluid *fluid, struct tsim *sim, const s
 			       size_t n, int64_t tag)
 {
 	struct ts_fluid_outside *o = &fluid->outside;
+	int64_t all = (int64_t)n;
 
-	if (!n)
+	ts_rank_sums_count(sim, &all);
+	if (!all)
 		return;
+	n = (size_t)all;
+	tag = (int64_t)-ts_ranks_most(sim, -(double)tag);
 	if (!o->most)
 		warn_outside(sim, self, n, tag);
 	if (!o->steps || o->last != sim->clock.step)

@@ -51,8 +51,9 @@ static void add_facts(struct facts *facts, const double *of, int rank, int ranks
 	}
 }
 
-static void find_facts(const struct tsim *sim, const struct ts_rank_layout *layout, const size_t *pairs,
-		       size_t all_pairs, double seconds, struct facts *facts)
+static void find_facts(const struct tsim *sim, const struct ts_plan_report *report,
+		       const struct ts_rank_layout *layout, const size_t *pairs, size_t all_pairs,
+		       double seconds, struct facts *facts)
 {
 	double bytes = (double)ts_copies_step_bytes(sim->particles), n = (double)sim->particles->n,
 	       contacts = all_pairs ? OF_CONTACTS : 0;
@@ -63,8 +64,9 @@ static void find_facts(const struct tsim *sim, const struct ts_rank_layout *layo
 		double of[NFACTS] = { [PARTICLES] = (double)part->particles,
 				      [COPIES] = (double)part->copies,
 				      [PAIRS] = (double)pairs[r],
-				      [MESSAGES] = (double)part->partners,
-				      [BYTES] = bytes * (double)part->sent };
+				      [MESSAGES] = (double)part->partners + report->shared.messages,
+				      [BYTES] = bytes * (double)part->sent +
+						report->shared.bytes * (double)part->particles };
 		double work = (1 - contacts) * (of[PARTICLES] + OF_COPY * of[COPIES]) / fmax(n, 1);
 
 		if (all_pairs)
@@ -101,11 +103,15 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 
 	ts_str_add(&text, "  all ranks agree once a step, some times more in a rebuild and at outputs\n  "
 			  "memory of a rank about ");
-	ts_price_bytes(fmin(share, 1) * report->bytes, &text);
+	ts_price_bytes(report->whole + fmin(share, 1) * (report->bytes - report->whole), &text);
 	ts_str_add(&text, " in steps, ");
 	ts_price_bytes(report->bytes, &text);
 	ts_str_add(&text, " in set-up and at outputs\n");
-	if (isfinite(seconds)) {
+	if (report->whole > 0)
+		ts_str_add(&text,
+			   "  every rank has the whole grid of the fluid and computes its steps: their time "
+			   "is not divided\n");
+	else if (isfinite(seconds)) {
 		ts_str_add(&text, "  time per step about ");
 		ts_price_time(step, &text);
 		ts_str_addf(&text,
@@ -132,7 +138,7 @@ enum ts_status ts_rank_report(struct tsim *sim, const struct ts_plan_report *rep
 		size_t all = count_pairs(sim, &layout, pairs);
 		struct facts facts;
 
-		find_facts(sim, &layout, pairs, all, seconds, &facts);
+		find_facts(sim, report, &layout, pairs, all, seconds, &facts);
 		print_facts(sim, &layout, &facts);
 		print_cost(sim, report, &layout, &facts, seconds);
 	}

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "flow/projection.h"
 #include "flow/void_fraction.h"
 
@@ -123,7 +124,8 @@ static enum ts_status allocate_planes(struct ts_projection *p, int d, enum ts_gr
 	return TS_OK;
 }
 
-static enum ts_status evaluate_face(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
+static enum ts_status evaluate_face_now(struct ts_projection *p, struct tsim *sim, int d,
+					enum ts_grid_side side)
 {
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
@@ -143,6 +145,16 @@ static enum ts_status evaluate_face(struct ts_projection *p, struct tsim *sim, i
 			TS_TRY(ts_flow_formula_value(sim, condition, &formula, &now->constant[c]));
 	}
 	return ts_projection_evaluate_pressure(p, sim, d, side);
+}
+
+static enum ts_status evaluate_face(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
+{
+	enum ts_status status;
+
+	ts_ranks_apart(sim, !p->condition[d][side].once);
+	status = evaluate_face_now(p, sim, d, side);
+	ts_ranks_apart(sim, false);
+	return status;
 }
 
 enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct tsim *sim)

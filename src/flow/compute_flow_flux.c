@@ -113,6 +113,7 @@ TS_STYLE(compute, ts_style, ts_compute_flow_flux)
 const struct ts_style ts_compute_flow_flux = {
 	.name = "flow/flux",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Volume flow rate of the fluid through a plane",
 	.doc = "The sum of e u A over the faces of cells in the plane, with u the velocity normal to the "
 	       "plane, e the void fraction (1 without fix void_fraction) and A the area of a face. Between "

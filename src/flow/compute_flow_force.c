@@ -66,6 +66,7 @@ TS_STYLE(compute, ts_style, ts_compute_flow_force)
 const struct ts_style ts_compute_flow_force = {
 	.name = "flow/force",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Force of the fluid on a face of its grid",
 	.doc = "The force of the fluid on a wall, inlet or outlet: c_ID[1] to [3] is the total force, [4] to "
 	       "[6] the pressure force, [7] to [9] the shear force with stress mu du/dn, [10] the area. The "

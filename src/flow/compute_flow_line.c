@@ -117,6 +117,7 @@ TS_STYLE(compute, ts_style, ts_compute_flow_line)
 const struct ts_style ts_compute_flow_line = {
 	.name = "flow/line",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Velocity, pressure and other fields of the fluid along a line",
 	.doc = "One row for each point of the line: N equidistant points between two positions, or the\n"
 	       "centres of the cells along an axis. c_ID[i][j] is the j-th value at the i-th point,\n"

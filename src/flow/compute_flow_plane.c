@@ -73,6 +73,7 @@ TS_STYLE(compute, ts_style, ts_compute_flow_plane)
 const struct ts_style ts_compute_flow_plane = {
 	.name = "flow/plane",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Velocity, pressure and other fields of the fluid in a plane",
 	.doc = "One row for each cell of the grid in the plane, at the centre of the cell seen along the\n"
 	       "axis. Of the two other axes the first one varies fastest.\n\n" TS_FLOW_SAMPLE_DOC,

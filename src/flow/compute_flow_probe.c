@@ -73,6 +73,7 @@ TS_STYLE(compute, ts_style, ts_compute_flow_probe)
 const struct ts_style ts_compute_flow_probe = {
 	.name = "flow/probe",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Velocity, pressure and other fields of the fluid at points",
 	.doc = "One row for each point: c_ID[i][j] is the j-th value at the i-th point, c_ID[k] the k-th\n"
 	       "value at the first point.\n\n" TS_FLOW_SAMPLE_DOC,

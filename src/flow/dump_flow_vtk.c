@@ -224,6 +224,8 @@ TS_STYLE(dump, ts_style, ts_dump_flow_vtk)
 const struct ts_style ts_dump_flow_vtk = {
 	.name = "flow/vtk",
 	.kind = TS_KIND_DUMP,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+	.due = ts_dump_may_be_due,
 	.summary = "Writes the fields of the fluid to VTK files for ParaView",
 	.doc = "Cell values: velocity (mean over the faces of the cell), pressure, void fraction, vorticity "
 	       "curl u (mean over the edges of the cell), and scalars of fix flow/scalar (f_ID). A .vti file "

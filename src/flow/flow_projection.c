@@ -1,6 +1,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/deferred_loops.h"
+#include "core/ranks.h"
 #include "core/report.h"
 #include "coupling/outside_grid.h"
 #include "flow/boundary.h"
@@ -90,6 +92,20 @@ static enum ts_status apply_arguments(struct ts_instance *self, struct tsim *sim
 	return check_viscous(self, sim);
 }
 
+static enum ts_status evaluate_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	enum ts_status status = TS_OK;
+
+	ts_ranks_apart(sim, true);
+	for (int d = 0; d < 3 && status == TS_OK; d++)
+		status = ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]);
+	if (status == TS_OK)
+		status = ts_number_now(sim, &p->level, &self->where, &p->level_now);
+	ts_ranks_apart(sim, false);
+	return status;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
@@ -103,12 +119,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_projection_setup(self, sim));
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
+	if (is_run && ts_ranks(sim) > 1) /* what cannot be evaluated is refused before the run */
+		TS_TRY(evaluate_force(self, sim));
 	if (ts_projection_not_started(p))
 		p->fluid.time = ts_sim_time(sim);
 	return TS_OK;
 }
 
-static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+static enum ts_status make_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
@@ -116,12 +134,44 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	if (++p->waited < p->every)
 		return TS_OK;
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
-	for (int d = 0; d < 3; d++)
-		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
-	TS_TRY(ts_number_now(sim, &p->level, &self->where, &p->level_now));
+	TS_TRY(evaluate_force(self, sim));
 	TS_TRY(ts_projection_step(self, sim, (double)p->waited * sim->clock.dt));
 	p->waited = 0;
 	return TS_OK;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	if (!p->settled)
+		return make_step(self, sim);
+	p->settled = false;
+	return TS_OK;
+}
+
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	(void)self;
+	(void)sim;
+	return true;
+}
+
+/* While the particles are divided among ranks: all ranks have the whole grid and make the same step, before outputs need
+ * all particles, since each rank corrects the forces on its own. The first one tells what all find. */
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	ts_log_sink_fn *sink = sim->log.sink;
+	enum ts_status status;
+
+	ts_deferred_loops_run(sim);
+	if (!ts_ranks_first(sim))
+		sim->log.sink = NULL;
+	status = make_step(self, sim);
+	sim->log.sink = sink;
+	p->settled = true;
+	return status;
 }
 
 /* Sets the ghosts with which the next run begins, so that a saved state and one that continues are the
@@ -259,6 +309,25 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 
 enum { VOID_FIELDS = 6 }; /* void fraction at centres and on faces, its rate, and that of the last step */
 
+enum { ROW = 40 }; /* bytes of a particle that is sorted by cells (coupling/cell_order.h) */
+
+/* What the parts of a step send to all ranks. */
+static void report_ranks(const struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct ts_instance *part;
+	bool sorts = false;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		sorts |= flow_part->sorts;
+		report->shared.messages += flow_part->shared > 0;
+		report->shared.bytes += (double)flow_part->shared;
+	}
+	report->shared.messages += sorts;
+	report->shared.bytes += sorts ? ROW : 0;
+}
+
 static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
@@ -281,6 +350,8 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 		       ts_flow_form_names[p->form], ts_flow_time_names[p->time]);
 	ts_pressure_explain(sim, &p->poisson, p->fluid.void_fraction || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
+	report->whole += 8 * fields * (double)grid->size;
+	report_ranks(sim, report);
 	if (!p->fluid.void_fraction)
 		ts_report_left_out(report, "void fraction", 0, 8 * VOID_FIELDS * (double)grid->size,
 				   "there is no fix void_fraction");
@@ -377,6 +448,9 @@ TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 const struct ts_flow_style ts_flow_projection = {
 	.style = { .name = "projection",
 		   .kind = TS_KIND_FLOW,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_FORMULAS,
+		   .due = due,
+		   .settle = settle,
 		   .family = TS_FAMILY_PROJECTION,
 		   .summary = "Incompressible flow on a staggered grid by the projection method",
 		   .doc = "Solves du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a Cartesian\n"

@@ -43,8 +43,9 @@ struct ts_projection {
 	double level_now;
 	bool initial_projection; /* the projection is that of an initial field: no pressure drives the flow */
 
-	bool moved; /* a run has made steps with it, or would have (-check) */
-	bool read;  /* the words have been read, into: */
+	bool settled; /* while the particles are divided among ranks: this step has been made */
+	bool moved;   /* a run has made steps with it, or would have (-check) */
+	bool read;    /* the words have been read, into: */
 	int64_t cells[3];
 	int64_t substeps; /* 0: chosen in each step by the limits */
 	struct ts_number body_force[3];

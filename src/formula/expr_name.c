@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "math/constants.h"
 #include "formula/expr.h"
 
@@ -215,6 +216,13 @@ static bool has_shape(const struct ts_expr *e, const struct ts_ref *ref, unsigne
 	return shapes & wanted;
 }
 
+static enum ts_status require_all_particles(struct ts_expr *e, const char *name, size_t at)
+{
+	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
+
+	return ts_ranks_require_all(e->sim, name, &place);
+}
+
 /* The result of a dry run. */
 static enum ts_status set_unknown(struct ts_operand *out)
 {
@@ -240,6 +248,7 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	e->formulas->misfit |= !given;
 	if (e->sim->reading.dry && given)
 		return set_unknown(out);
+	TS_TRY(require_all_particles(e, name, at));
 	status = identity ? output_of_particle(e, name, k[0], k[1], at, out)
 			  : value_of_reference(e, &ref, &place, out);
 	return given ? ts_expr_or_unknown(e, name, status, out) : status;
@@ -269,6 +278,9 @@ static enum ts_status read_output_name(struct ts_expr *e, const char *name, size
 	return ts_expr_locate_error(e, status, at, e->at);
 }
 
+/* Keywords that do not depend on the particles of other ranks. */
+enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX | TS_KEYWORD_FLUID };
+
 /* A thermo keyword. The values of some are known behind a run that is left out. */
 static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keyword *keyword, size_t at,
 				       struct ts_operand *out)
@@ -282,6 +294,8 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 		!(keyword->flags & (TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX));
 	if (e->sim->reading.dry)
 		return set_unknown(out);
+	if (!(keyword->flags & ALONE))
+		TS_TRY(require_all_particles(e, keyword->name, at));
 	status = keyword->eval(e->sim, &out->scalar);
 	return ts_expr_locate_error(e, known ? status : ts_expr_or_unknown(e, keyword->name, status, out), at,
 				    e->at);
@@ -296,6 +310,7 @@ static enum ts_status quantity_of_particles(struct ts_expr *e, const char *name,
 
 	if (e->sim->reading.dry)
 		return set_unknown(out);
+	TS_TRY(require_all_particles(e, name, at));
 	status = ts_quantity_eval(e->sim, name, &table);
 	status = ts_expr_take_table(e, status, &table, out);
 	return ts_expr_locate_error(e, ts_expr_or_unknown(e, name, status, out), at, e->at);
@@ -312,6 +327,7 @@ static enum ts_status quantity_of_particle(struct ts_expr *e, const char *name, 
 
 	e->formulas->reads_all = true;
 	TS_TRY(read_index(e, 1, &identity));
+	TS_TRY(require_all_particles(e, name, at));
 	status = find_particle(e, identity, at, &row);
 	if (status == TS_OK)
 		status = ts_quantity_eval(e->sim, name, &table);

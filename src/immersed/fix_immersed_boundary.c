@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "core/report.h"
 #include "flow/flow.h"
 #include "flow/flow_arguments.h"
@@ -61,14 +62,15 @@ struct state {
 	double slip;	/* saved */
 };
 
+/* NULL: the sphere is on another rank. */
 static struct ts_immersed_record *record_of_part(struct state *s, const struct tsim *sim, size_t part)
 {
-	size_t row;
+	int32_t row;
 
 	if (s->body != SPHERES)
 		return &s->own;
-	row = (size_t)ts_solid_sphere_row(s->solid, part);
-	return (struct ts_immersed_record *)sim->particles->column[s->column].data + row;
+	row = ts_solid_sphere_row(s->solid, part);
+	return row < 0 ? NULL : (struct ts_immersed_record *)sim->particles->column[s->column].data + row;
 }
 
 static struct ts_net_force *net_force_of(const struct state *s, const struct tsim *sim, size_t row)
@@ -195,6 +197,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 					 .mesh_load = add_mesh_load,
 					 .mark_closed = mark_closed_faces,
 					 .distance = find_distances,
+					 .shared = s->body == SPHERES ? TS_SOLID_SPHERE_BYTES : 0,
 					 .explain_instability = explain_instability };
 	TS_TRY(read_motion(self, sim));
 	ts_solid_free(s->solid);
@@ -208,15 +211,18 @@ static enum ts_status evaluate_prescribed_motion(struct ts_instance *self, struc
 {
 	struct state *s = self->state;
 	struct ts_solid_motion *m = &s->prescribed.motion;
+	enum ts_status status = TS_OK;
 
+	ts_ranks_apart(sim, true);
 	for (int k = 0; k < 3; k++) {
-		if (s->prescribed.velocity)
-			TS_TRY(ts_number_now(sim, &s->velocity[k], &self->where, &m->velocity[k]));
-		if (s->prescribed.omega)
-			TS_TRY(ts_number_now(sim, &s->omega[k], &self->where, &m->omega[k]));
+		if (status == TS_OK && s->prescribed.velocity)
+			status = ts_number_now(sim, &s->velocity[k], &self->where, &m->velocity[k]);
+		if (status == TS_OK && s->prescribed.omega)
+			status = ts_number_now(sim, &s->omega[k], &self->where, &m->omega[k]);
 		m->centre[k] = s->centre[k];
 	}
-	return TS_OK;
+	ts_ranks_apart(sim, false);
+	return status;
 }
 
 static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
@@ -335,8 +341,11 @@ static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct ts
 	struct state *s = self->state;
 	bool all = true;
 
-	for (size_t k = 0; k < s->solid->parts; k++)
-		all = all && record_of_part(s, sim, k)->known != 0;
+	for (size_t k = 0; k < s->solid->parts; k++) {
+		const struct ts_immersed_record *r = record_of_part(s, sim, k);
+
+		all = all && (!r || r->known != 0);
+	}
 	if (all)
 		return TS_OK;
 	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
@@ -344,7 +353,7 @@ static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct ts
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		struct ts_immersed_record *r = record_of_part(s, sim, k);
 
-		if (r->known != 0)
+		if (!r || r->known != 0)
 			continue;
 		memcpy(r->velocity, s->immersed.sums[k].velocity, sizeof r->velocity);
 		memcpy(r->spin, s->immersed.sums[k].spin, sizeof r->spin);
@@ -421,12 +430,15 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		struct ts_immersed_record *r = record_of_part(s, sim, k);
 
+		if (!r)
+			continue;
 		ts_immersed_record_update(r, &s->immersed.sums[k], fluid->density, share, length, depth);
 		if (discs) /* cell centres may be beside the plane of the discs */
 			r->torque[0] = r->torque[1] = 0;
 	}
 	for (size_t k = 0; s->body == SPHERES && k < s->solid->parts; k++)
-		ts_net_force_average(net_force_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
+		if (record_of_part(s, sim, k))
+			ts_net_force_average(net_force_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
 	if (s->body == MESH) {
 		mean_of_corners(&s->surface->mesh, s->lever);
 		ts_sub(s->solid->motion->centre, s->lever, s->lever);
@@ -719,6 +731,7 @@ TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
 const struct ts_style ts_fix_immersed_boundary = {
 	.name = "immersed/boundary",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_FORMULAS,
 	.summary = "A solid body in a fluid that is solved for, by direct forcing on the grid",
 	.doc = "Inside the body the velocity of the fluid is set to that of the body. At points next to its "
 	       "surface it is set to the value on the parabola along the normal n through the surface and "

@@ -54,9 +54,11 @@ enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *w
 		if (!(cells < (1 - ROUNDING) * least))
 			continue;
 		if (spheres) {
-			size_t i = (size_t)ts_solid_sphere_row(solid, part);
+			int32_t i = ts_solid_sphere_row(solid, part);
 
-			cells *= largest_radius_of_body(sim, i) / sim->particles->radius[i];
+			if (i < 0) /* the rank that has the particle checks it */
+				continue;
+			cells *= largest_radius_of_body(sim, (size_t)i) / sim->particles->radius[i];
 			if (!(cells < (1 - ROUNDING) * least))
 				continue;
 			snprintf(what, sizeof what, "particle %d of diameter %.4g", sim->particles->tag[i],

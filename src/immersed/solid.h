@@ -95,7 +95,9 @@ void ts_solid_free(struct ts_solid *solid);
  * INFINITY if no axis has two finite bounds. Beyond the grid cells have the width of the last one. */
 double ts_solid_cells(const struct ts_grid *grid, const double lo[3], const double hi[3], int *axis);
 
-/* Index of the particle that is part k. */
+/* Bytes of a sphere that the ranks send each other. */
+enum { TS_SOLID_SPHERE_BYTES = 88 };
+/* Index of the particle that is part k; -1: it is on another rank. */
 int32_t ts_solid_sphere_row(const struct ts_solid *solid, size_t part);
 
 #endif

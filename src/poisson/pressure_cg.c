@@ -20,6 +20,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_cg)
 const struct ts_pressure_style ts_pressure_cg = {
 	.style = { .name = "cg",
 		   .kind = TS_KIND_PRESSURE,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "conjugate gradient method",
 		   .doc = "Solves for the pressure by preconditioned conjugate gradients (M. R. Hestenes "
 			  "and\n"

@@ -27,6 +27,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_multigrid)
 const struct ts_pressure_style ts_pressure_multigrid = {
 	.style = { .name = "multigrid",
 		   .kind = TS_KIND_PRESSURE,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "conjugate gradients with a geometric multigrid preconditioner",
 		   .doc = "Solves for the pressure by conjugate gradients, preconditioned (O. Tatebe, NASA\n"
 			  "CP-3224 (1993) 621) by one V-cycle over successively coarser grids (A. Brandt,\n"

@@ -126,6 +126,12 @@ enum ts_status ts_world_share(struct ts_world *world, const struct ts_parcel *mi
 	return find_sizes_and_share(world, mine, all, &own);
 }
 
+enum ts_status ts_world_share_own(struct ts_world *world, const struct ts_parcel *mine, struct ts_parcel *all,
+				  size_t *own)
+{
+	return find_sizes_and_share(world, mine, all, own);
+}
+
 enum ts_status ts_world_share_others(struct ts_world *world, const struct ts_parcel *mine,
 				     struct ts_parcel *others)
 {

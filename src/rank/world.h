@@ -69,8 +69,11 @@ void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n);
 enum ts_status ts_world_deliver(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
 /* The same if in[r].n is known; out[rank] is ignored. */
 void ts_world_swap(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
-/* Appends the parcels of all ranks, in the order of ranks, to `all`; of all other ranks to `others`. */
+/* Appends the parcels of all ranks, in the order of ranks, to `all`; of all other ranks to `others`. *own: where that of
+ * this rank begins in `all`. */
 enum ts_status ts_world_share(struct ts_world *world, const struct ts_parcel *mine, struct ts_parcel *all);
+enum ts_status ts_world_share_own(struct ts_world *world, const struct ts_parcel *mine, struct ts_parcel *all,
+				  size_t *own);
 enum ts_status ts_world_share_others(struct ts_world *world, const struct ts_parcel *mine,
 				     struct ts_parcel *others);
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "core/report.h"
 #include "coupling/cell_order.h"
 #include "coupling/interpolation_weights.h"
@@ -14,6 +15,7 @@
 #include "law/lift.h"
 #include "math/constants.h"
 #include "math/exactsum.h"
+#include "particle/rank_sums.h"
 
 #include "base/banned.h"
 
@@ -82,7 +84,7 @@ static enum ts_status read_face_conditions(struct ts_instance *self, struct tsim
 }
 
 /* Evaluates the conditions on faces and the source; fluxes are converted to T times velocity. */
-static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim *sim)
+static enum ts_status evaluate_now(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	double amount = s->fluid->density * s->capacity;
@@ -105,6 +107,16 @@ static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim 
 	TS_TRY(ts_number_now(sim, &s->source, &self->where, &s->transport.constant));
 	s->transport.constant /= amount;
 	return TS_OK;
+}
+
+static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim *sim)
+{
+	enum ts_status status;
+
+	ts_ranks_apart(sim, true);
+	status = evaluate_now(self, sim);
+	ts_ranks_apart(sim, false);
+	return status;
 }
 
 static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *sim)
@@ -198,6 +210,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->arguments_read)
 		TS_TRY(read_face_conditions(self, sim));
 	TS_TRY(find_heat(self, sim));
+	s->part.sorts = s->heat != NULL;
+	s->part.shared = s->heat ? sizeof(double) : 0;
 	TS_TRY(make_fields(self, sim));
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
@@ -233,10 +247,10 @@ static double heat_conductance(const struct state *s, const struct ts_particles 
 
 struct context {
 	struct state *state;
-	const struct ts_particles *particles;
+	struct ts_cell_numbers rate; /* heat_rate */
 };
 
-static void add_heat_source(void *data, size_t i)
+static void add_heat_source(void *data, size_t row)
 {
 	const struct context *c = data;
 	struct state *s = c->state;
@@ -244,19 +258,19 @@ static void add_heat_source(void *data, size_t i)
 	double place[3];
 	int cell[3];
 
-	if (!ts_coupling_locate(s->fluid, c->particles->x[i], place, cell))
+	if (!ts_cell_order_locate(&s->order, s->fluid, row, place, cell))
 		return;
 	ts_coupling_weights_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &weights);
 	ts_coupling_distribute_force(&s->fluid->grid, &weights, -1, s->transport.value,
-				     s->heat_rate[i] / (s->fluid->density * s->capacity), 0,
-				     s->transport.source, NULL);
+				     c->rate.from[c->rate.stride * row] / (s->fluid->density * s->capacity),
+				     0, s->transport.source, NULL);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	struct context context = { s, p };
+	struct context context = { .state = s };
 
 	if (!s->heat || sim->run.in_setup)
 		return TS_OK;
@@ -275,9 +289,10 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		ts_heat_from_wall(s->heat, sim, i, k, there);
 		s->heat_rate[i] = k * (there - ts_heat_column(sim, s->heat->temperature)[i]);
 	}
-	s->exchanged = p->n ? ts_exactsum_of(s->heat_rate, p->n, 1) : 0;
+	TS_TRY(ts_rank_sums(sim, s->heat_rate, p->n, 1, 1, &s->exchanged));
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	ts_cell_order_each(&s->order, ts_team(sim, p->n), add_heat_source, &context);
+	TS_TRY(ts_cell_order_share(&s->order, sim, s->heat_rate, 1, 1, &context.rate));
+	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_heat_source, &context);
 	s->steps++;
 	return TS_OK;
 }
@@ -463,6 +478,7 @@ TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
 const struct ts_style ts_fix_flow_scalar = {
 	.name = "flow/scalar",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_FORMULAS,
 	.summary = "Transport of temperature or another scalar by the fluid",
 	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void "
 	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any "

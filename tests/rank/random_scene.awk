@@ -16,6 +16,7 @@ function repeated(word, n,   s) { s = ""; while (n-- > 0) s = s " " word; return
 function len(x) { return sprintf("%.10g", x * diameter) }
 function two(x, y) { return len(x) " " len(y) }
 function pos(x, y, z) { return two(x, y) " " len(z) }
+function edge_of(axis) { return high[axis] - low[axis] }
 function middle(axis) { return (low[axis] + high[axis]) / 2 }
 # A speed in m/s
 function speed(x) { return sprintf("%.10g", x * metre) }
@@ -198,18 +199,31 @@ function motion_and_forces() {
 	if (face["z"] != "p" && chance(6)) print "fix mirror all wall/reflect zhi " len(high["z"] - 0.2) " zlo " len(low["z"] + 0.2)
 }
 
-# A fluid of given velocity with drag, and what acts in it.
-function fluid(   weight, scheme) {
-	if (!chance(3)) return
+# A fluid with drag, and what acts in it; in half of the boxes that stay as they are one that is solved for.
+function fluid(   weight, viscosity, scheme) {
+	if (!chance(2)) return
 	weight = density / 4
-	print "flow_style uniform velocity " speed(between(-0.5, 0.5)) " 0 " speed(between(0, 2)) " viscosity " \
-		2e-3 * kilogram / metre * scale " density " weight
+	viscosity = " viscosity " 2e-3 * kilogram / metre * scale " density " weight
+	solved = face["x"] face["y"] face["z"] !~ /[sm]/ && chance(1.3)
 	scheme = pick("explicit exact implicit")
-	print "fix flow " pick("all part odd") " drag/" pick("stokes schiller_naumann") " scheme " scheme \
-		(chance(2) ? " axes " pick("z xy") : "")
-	if (chance(3)) print "fix heavy part added_mass"
+	if (solved) {
+		print "flow_style projection cells " int(edge_of("x") / 2) " " int(edge_of("y") / 2) " " int(edge_of("z") / 2) \
+			viscosity " substeps auto time " pick("euler ab2 rk3")
+		if (chance(2)) {
+			print "fix e all void_fraction method " pick("divided kernel")
+			print "fix press all flow/pressure_gradient"
+			streams = " f_e[1] f_e[2] f_press[1]"
+			print "fix flow all drag/di_felice scheme " pick("exact implicit")
+		} else print "fix flow " pick("all part odd") " drag/schiller_naumann scheme " scheme (chance(3) ? " lagged yes" : "")
+		streams = streams " flow_ke flow_pz"
+	} else {
+		print "flow_style uniform velocity " speed(between(-0.5, 0.5)) " 0 " speed(between(0, 2)) viscosity
+		print "fix flow " pick("all part odd") " drag/" pick("stokes schiller_naumann") " scheme " scheme \
+			(chance(2) ? " axes " pick("z xy") : "")
+	}
+	if (!moved && chance(3)) print "fix heavy part added_mass"
 	if (chance(3)) print "fix spin all lift/" pick("magnus saffman")
-	streams = " f_flow[3] f_flow[4]"
+	streams = streams " f_flow[3] f_flow[4]"
 	print "region low block INF INF INF INF INF " len(middle("z")) " units box"
 	print "compute gone " pick("all odd") " leave low"
 	streams = streams " c_gone c_gone[3]"
