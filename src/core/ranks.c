@@ -110,7 +110,8 @@ enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const st
 {
 	if (!sim->run.apart && !sim->division)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, where,
+	/* not TS_STATE, which -explain takes for a consequence of values that runs give */
+	return ts_fail(&sim->error, TS_SYNTAX, where,
 		       "'%s' is needed in each step, when each rank has its own particles only (there are "
 		       "%d ranks): expected the time, the step, the box, numbers of the fluid and variables "
 		       "of these; run tsim without mpirun, with threads (OMP_NUM_THREADS); see doc/ranks.md",

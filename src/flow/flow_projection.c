@@ -119,7 +119,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_projection_setup(self, sim));
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
-	if (is_run && ts_ranks(sim) > 1) /* what cannot be evaluated is refused before the run */
+	if (is_run && ts_ranks(sim) > 1) /* what cannot be evaluated in steps is refused before the run */
 		TS_TRY(evaluate_force(self, sim));
 	if (ts_projection_not_started(p))
 		p->fluid.time = ts_sim_time(sim);

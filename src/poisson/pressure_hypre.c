@@ -52,7 +52,6 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_hypre)
 const struct ts_pressure_style ts_pressure_hypre = {
 	.style = { .name = "hypre",
 		   .kind = TS_KIND_PRESSURE,
-		   .ranks = TS_RANKS_OWN,
 		   .summary = "conjugate gradients with the multigrid preconditioner of the library hypre",
 		   .doc = "The iteration of pressure_style cg, with one V-cycle of PFMG of hypre as the\n"
 			  "preconditioner: semi-coarsening with Galerkin operators. It is about as fast as\n"

@@ -29,6 +29,10 @@ sed 's/tangential history/& cohesion sjkr/; s/^pair_style/fix m5 all property\/g
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
 sed "s;^flow_style.*;flow_style stagnation axisymmetric point 0.03 0.02 0 normal 0 0 1 rate 20 profile viscous viscosity 2e-3 density 300;" in.stream >in.jet
 
+for solver in cg direct multigrid sor; do
+	sed "s;^flow_boundary;pressure_style $solver\n&;" in.duct >in.$solver
+done
+
 # bonds NAME STYLE COEFFICIENTS: in.NAME, the fabric of in.beams with other bonds
 bonds() {
 	sed "s|^bond_style.*|bond_style $2|; s|^bond_coeff.*|bond_coeff 1 $3|" in.beams >"in.$1"
@@ -60,7 +64,7 @@ awk '$1 ~ /^(fix|compute|dump)$/ { print $1, $4 } $1 == "region" { print $1, $3 
 	$1 ~ /^(pair|bond|flow|pressure|automaton)_style$/ { sub(/_style/, "", $1); print $1, $2 }' in.* | sort -u >covered
 
 : >table
-for kind in fix compute pair bond region dump flow automaton; do
+for kind in fix compute pair bond region dump flow pressure automaton; do
 	names $kind >styles
 	[ -s styles ]
 	report "there are styles of the kind $kind" $?
@@ -95,7 +99,7 @@ files_of() {
 	report "$scene: $folder" $? "$folder/out"
 	rows "$folder/log" >"$folder/x.rows"
 }
-for scene in averages halves drum mill sieve waves sorted voxels receding tracers $film forces forces_hertz flat stream jet insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
+for scene in averages halves drum mill sieve waves sorted voxels receding tracers $film forces forces_hertz flat stream jet fluid submerged cg direct multigrid sor insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact warm sticky; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
