@@ -221,13 +221,11 @@ enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f
 	struct ts_word word[TS_MOST_ARGUMENTS] = { 0 };
 	struct ts_words words = { word, 0 };
 	struct ts_table table = { 0 };
-	struct ts_place where;
 	enum ts_status status;
 
 	TS_TRY(ts_expr_words(e, at, word, TS_MOST_ARGUMENTS, &words.n));
 	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, words.n));
-	where = ts_place_inside(e->place, e->length, at, e->at - at);
-	TS_TRY(ts_ranks_require_all(e->sim, f->name, &where));
+	TS_TRY(ts_expr_locate_error(e, ts_ranks_require_all(e->sim, f->name, NULL), at, e->at));
 	if (f->peratom && e->kind == TS_FORMULA_PERATOM) {
 		status = ts_expr_take_table(e, f->peratom(e->sim, words, &table), &table, out);
 		return ts_expr_locate_error(e, ts_expr_or_unknown(e, f->name, status, out), at, e->at);

@@ -218,9 +218,7 @@ static bool has_shape(const struct ts_expr *e, const struct ts_ref *ref, unsigne
 
 static enum ts_status require_all_particles(struct ts_expr *e, const char *name, size_t at)
 {
-	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
-
-	return ts_ranks_require_all(e->sim, name, &place);
+	return ts_expr_locate_error(e, ts_ranks_require_all(e->sim, name, NULL), at, e->at);
 }
 
 /* The result of a dry run. */

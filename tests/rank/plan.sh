@@ -54,7 +54,7 @@ ranks() {
 	on_ranks "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 # Of runs of 2 and 12 steps with one list of contacts the difference is ten steps.
-for scene in bed gas; do
+for scene in bed gas fluid; do
 	short $scene 2 >in.two
 	short $scene 12 >in.twelve
 	for n in 2 3 7; do
