@@ -4,7 +4,7 @@
 
 #include "base/sort.h"
 #include "math/vec3.h"
-#include "wall/surface_contacts.h"
+#include "wall/shared_contacts.h"
 
 #include "base/banned.h"
 
@@ -283,7 +283,7 @@ static enum ts_status end_untouched(struct tsim *sim, struct ts_impacts *impacts
 	return TS_OK;
 }
 
-enum ts_status ts_impacts_update(struct tsim *sim, const struct ts_wall *w)
+enum ts_status ts_impacts_update(struct tsim *sim, struct ts_wall *w)
 {
 	struct ts_impacts *impacts = w->impacts;
 	size_t n, old;
@@ -291,6 +291,8 @@ enum ts_status ts_impacts_update(struct tsim *sim, const struct ts_wall *w)
 	if (!impacts)
 		return TS_OK;
 	impacts->ended.n = 0;
+	if (sim->division && !w->shares)
+		TS_TRY(ts_shared_contacts_make(sim, w));
 	if (!w->ntouching && !impacts->live.n && !impacts->added.n)
 		return TS_OK;
 	TS_TRY(collect(sim, w, impacts, &n));

@@ -77,7 +77,7 @@ const struct ts_surface_impact *ts_surface_impacts_next(struct ts_surface_impact
 /* In POST_BUILD, when contacts are listed: makes w->impacts, or frees it, as observers want. */
 enum ts_status ts_impacts_prepare(struct ts_instance *wall, struct tsim *sim);
 /* In POST_FORCE, after ts_surface_contacts_collect: follows the contacts of this step. */
-enum ts_status ts_impacts_update(struct tsim *sim, const struct ts_wall *w);
+enum ts_status ts_impacts_update(struct tsim *sim, struct ts_wall *w);
 /* Adds a whole impact of particle i on this surface of the wall (0 if it is a primitive), which has been computed
  * otherwise than step by step; at any time between the updates of the last and of this step. */
 enum ts_status ts_impacts_append(struct tsim *sim, struct ts_impacts *impacts, size_t surface, size_t i,

@@ -42,6 +42,7 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	.name = "mesh/surface/stress",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = ts_mesh_stress_join,
 	.summary = "A triangle mesh with the force, torque, stresses and wear due to particles",
 	.purpose = "As fix mesh/surface, for parts whose load is wanted: the torque of a drum, the weight on "
 		   "a tray, pressure and wear on each triangle.",

@@ -243,6 +243,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		ts_scale(1, s->com, s->stress.given);
 	TS_TRY(ts_mesh_surface_init(self, sim, &s->words));
 	TS_TRY(ts_mesh_stress_init(self, sim, &s->surface, &s->stress));
+	s->stress.followed = true;
 	TS_TRY(check_axis_and_target(self, sim));
 	if (!first)
 		return TS_OK;
@@ -479,6 +480,7 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.name = "mesh/surface/stress/servo",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = ts_mesh_stress_join,
 	.summary = "A mesh that moves or rotates until particles exert a given force or torque on it",
 	.purpose = "A punch, a lid or a blade that moves until grains press on it with a given force or "
 		   "torque: compaction, shear cells, drill bits.",

@@ -99,13 +99,15 @@ static void add_contact(const struct ts_surface_contact *c, double step, const d
 	ts_add(s->sum[1], torque, s->sum[1]);
 }
 
-enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim)
+static enum ts_status sum_contacts(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_mesh_surface *surface = surface_of(self);
 	struct ts_mesh_stress *s = surface->stress;
-	struct ts_surface_contacts contacts = ts_surface_contacts(sim, self);
+	struct ts_surface_contacts contacts;
 	struct ts_surface_contact c;
 
+	TS_TRY(ts_surface_contacts_share(sim, self));
+	contacts = ts_surface_contacts(sim, self);
 	memset(s->load, 0, surface->mesh.n * sizeof *s->load);
 	memset(s->sum, 0, sizeof s->sum);
 	while (ts_surface_contacts_next(&contacts, &c)) {
@@ -114,6 +116,25 @@ enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim)
 			ts_mesh_wear_add(surface, &c, &s->wear);
 	}
 	return TS_OK;
+}
+
+enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_mesh_stress *s = surface_of(self)->stress;
+
+	s->unsummed = sim->division && !s->followed && s->wear.law == TS_MESH_WEAR_OFF;
+	return s->unsummed ? TS_OK : sum_contacts(self, sim);
+}
+
+enum ts_status ts_mesh_stress_join(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_mesh_stress *s = surface_of(self)->stress;
+
+	if (!s->unsummed)
+		return TS_OK;
+	s->unsummed = false;
+	TS_TRY(sum_contacts(self, sim));
+	return ts_mesh_stress_settle(self, sim);
 }
 
 enum ts_status ts_mesh_stress_settle(struct ts_instance *self, struct tsim *sim)

@@ -12,6 +12,8 @@ struct ts_mesh_stress {
 	bool tracks;
 	struct ts_mesh_wear wear;
 	double given[3]; /* torques are about it; the mesh carries it along as its anchor */
+	bool followed;	 /* the force moves the mesh: it is needed in each step */
+	bool unsummed; /* particles are divided among ranks, and no output has needed the force of this step */
 
 	double (*load)[3]; /* force on each triangle, in the last computation of forces */
 	double sum[2][3];  /* of it: force, torque */
@@ -62,6 +64,8 @@ void ts_mesh_stress_fini(struct ts_instance *self);
 enum ts_status ts_mesh_stress_post_build(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_mesh_stress_settle(struct ts_instance *self, struct tsim *sim);
+/* Slot `join`. */
+enum ts_status ts_mesh_stress_join(struct ts_instance *self, struct tsim *sim);
 
 /* Order of TS_MESH_STRESS_ARGS in the manual pages. */
 #define TS_MESH_STRESS_GROUP                                                    \

@@ -118,6 +118,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_mesh_mover_check(self, sim));
 	TS_TRY(find_surface(self, sim, &surface));
 	TS_TRY(check_arguments(self, sim, surface));
+	surface->stress->followed = true;
 	return s->made ? TS_OK : make_body(self, sim, surface);
 }
 

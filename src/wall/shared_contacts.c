@@ -91,7 +91,7 @@ void ts_shared_contacts_plan(const struct tsim *sim, const struct ts_wall *w, st
 {
 	if (w->observed && ts_ranks(sim) > 1)
 		ts_report_line(report, "shared contacts",
-			       "all ranks get those with wall %s, whose loads or wear are summed, in each "
-			       "step: now %zu, %zu bytes each",
+			       "all ranks get those with wall %s where its load is printed, in each step "
+			       "where the load moves or wears it: now %zu, %zu bytes each",
 			       w->by->id, count_touching(sim, w), sizeof(struct row));
 }

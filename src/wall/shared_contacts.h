@@ -5,7 +5,7 @@
 
 #include "wall/surface_contacts.h"
 
-/* Replaces the lists of touching and conducting contacts of this rank by those of all ranks, which all call it. */
+/* Until the next forces: replaces the lists of touching and conducting contacts of this rank by those of all ranks, which all call it. */
 enum ts_status ts_shared_contacts_make(struct tsim *sim, struct ts_wall *w);
 const struct ts_surface_contact *ts_shared_contact(const struct ts_wall *w, size_t k);
 /* In the plan of the wall: what ranks will send. */

@@ -55,6 +55,9 @@ struct ts_surface_contacts {
 	size_t brief, node; /* in its list of brief contacts; number of the node */
 };
 
+/* With several ranks, before an iteration of all of them in a step: each gets the contacts of all with this surface, so that
+ * observers have the same sums on all ranks. */
+enum ts_status ts_surface_contacts_share(struct tsim *sim, const struct ts_instance *surface);
 struct ts_surface_contacts ts_surface_contacts(const struct tsim *sim, const struct ts_instance *surface);
 struct ts_surface_contacts ts_surface_heat_contacts(const struct tsim *sim,
 						    const struct ts_instance *surface);
@@ -77,8 +80,7 @@ bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance
 
 /* By a wall in POST_BUILD, before contacts are listed: finds out what is observed of its surfaces. */
 enum ts_status ts_surface_contacts_find_observers(struct tsim *sim, struct ts_wall *w);
-/* By a wall in POST_FORCE: makes its list of touching contacts, if somebody observes them. With several ranks all get those
- * of all ranks, so that observers have the same sums on each of them. */
+/* By a wall in POST_FORCE: makes its list of touching contacts, if somebody observes them. */
 enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w);
 /* The order of struct ts_wall_touching. */
 int ts_wall_touching_order(const void *a, const void *b);

@@ -44,7 +44,7 @@ refused 'blocks that do not fit' 'processors: ' -in in.empty -explain -ranks 4
 # The contacts that all ranks get, as loads and wear are summed.
 "$TSIM" -in "$top_srcdir/tests/rank/scenes/in.mill" -explain -ranks 4 -log none -var out x >out 2>&1
 report 'plan of a scene with loads' $? out
-[ "$(grep -c '^  shared contacts  all ranks get those with wall [a-z]*, .* in each step: now [0-9]*, [0-9]* bytes each$' out)" = 6 ]
+[ "$(grep -c '^  shared contacts  all ranks get those with wall [a-z]* where .* in each step .*: now [0-9]*, [0-9]* bytes each$' out)" = 6 ]
 report 'contacts that all ranks get' $? out
 
 has_ranks || finish
