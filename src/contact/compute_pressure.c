@@ -12,6 +12,8 @@ struct pressure {
 	struct ts_words words;
 	struct ts_virial_parts parts;
 	struct ts_table kinetic;
+	double virial[6]; /* with ranks: that of all of them, of the step `joined` */
+	int64_t joined;
 	struct tsim *sim;
 };
 
@@ -68,11 +70,10 @@ static enum ts_status add_kinetic(struct pressure *s, double out[6])
 static enum ts_status pressure_tensor(struct ts_instance *self, double out[6])
 {
 	struct pressure *s = self->state;
-	const struct tsim *sim = s->sim;
+	struct tsim *sim = s->sim;
 	double volume = ts_virial_box_volume(sim);
 
-	TS_TRY(ts_contacts_forces(s->sim, self));
-	ts_virial_total(sim, &s->parts, out);
+	TS_TRY(ts_virial_now(sim, self, &s->parts, s->virial, s->joined, out));
 	if (s->parts.kinetic)
 		TS_TRY(add_kinetic(s, out));
 	for (int k = 0; k < 6; k++)
@@ -93,6 +94,13 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 {
 	(void)sim;
 	return pressure_tensor(self, out->data);
+}
+
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	struct pressure *s = self->state;
+
+	return ts_virial_join(sim, self, &s->parts, s->virial, &s->joined);
 }
 
 static void fini(struct ts_instance *self)
@@ -118,7 +126,8 @@ TS_STYLE(compute, ts_style, ts_compute_pressure)
 const struct ts_style ts_compute_pressure = {
 	.name = "pressure",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+	.join = join,
 	.summary = "Pressure of the whole system",
 	.doc = "P_ab = (sum m v_a v_b + sum d_a F_b) / V, the first sum over all particles, the second over "
 	       "all contacts and bonds, each once; d is the vector between the two particles and F the force "

@@ -5,19 +5,21 @@
 #include "contact/pair.h"
 #include "core/standard.h"
 #include "group/temperature.h"
+#include "particle/division.h"
 
 #include "base/banned.h"
+
+static const struct ts_virial_parts all_parts = { .kinetic = true, .pair = true, .bond = true };
 
 /* Pressure tensor as of compute pressure with all its parts. */
 static enum ts_status pressure_tensor(struct tsim *sim, double out[6])
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
-	const struct ts_virial_parts parts = { .kinetic = true, .pair = true, .bond = true };
+	const struct ts_division *d = sim->particles->division;
 	double kinetic[7], volume = ts_virial_box_volume(sim);
 
-	if (pair)
-		TS_TRY(ts_contacts_forces(sim, pair));
-	ts_virial_total(sim, &parts, out);
+	TS_TRY(ts_virial_now(sim, pair, &all_parts, d ? d->look.virial : NULL, d ? d->look.virial_step : -1,
+			     out));
 	ts_temperature_tensor(sim, 0, NULL, kinetic);
 	for (int k = 0; k < 6; k++)
 		out[k] = volume > 0 ? (out[k] + kinetic[k]) / volume : 0;
@@ -74,6 +76,17 @@ static const struct ts_keyword keywords[] = {
 	{ .name = NULL },
 };
 
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_look *look = &sim->division->look;
+
+	(void)self;
+	if (!sim->run.shows_contacts || sim->run.shows_lists)
+		return TS_OK;
+	return ts_virial_join(sim, ts_sim_only(sim, TS_KIND_PAIR), &all_parts, look->virial,
+			      &look->virial_step);
+}
+
 static void connect_contacts(struct tsim *sim)
 {
 	sim->neigh->callback.reach = ts_pair_reach;
@@ -83,6 +96,7 @@ static void connect_contacts(struct tsim *sim)
 const struct ts_system_style ts_contact_system = {
 	.style = { .name = "contact",
 		   .kind = TS_KIND_SYSTEM,
+		   .join = join,
 		   .summary = "contact laws for the neighbour search; the pressure in thermo output" },
 	.keywords = keywords,
 	.no_instance = true,

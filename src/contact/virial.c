@@ -1,6 +1,8 @@
 #include "contact/virial.h"
 
+#include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "bond/bonds.h"
 #include "box/domain.h"
@@ -65,6 +67,37 @@ void ts_virial_total(const struct tsim *sim, const struct ts_virial_parts *parts
 	struct ts_virial_parts wanted = *parts;
 
 	ts_group_sum(sim, 0, 6, virial_term, &wanted, out);
+}
+
+enum ts_status ts_virial_join(struct tsim *sim, const struct ts_instance *self,
+			      const struct ts_virial_parts *parts, double kept[6], int64_t *step)
+{
+	if (!sim->run.complete)
+		return TS_OK;
+	if (self && parts->pair)
+		TS_TRY(ts_contacts_kept(sim, self));
+	ts_virial_total(sim, parts, kept);
+	*step = sim->clock.step;
+	return TS_OK;
+}
+
+enum ts_status ts_virial_now(struct tsim *sim, const struct ts_instance *self,
+			     const struct ts_virial_parts *parts, const double kept[6], int64_t step,
+			     double out[6])
+{
+	if (!sim->run.looks) {
+		if (self)
+			TS_TRY(ts_contacts_forces(sim, self));
+		ts_virial_total(sim, parts, out);
+		return TS_OK;
+	}
+	if (step != sim->clock.step)
+		return ts_fail(&sim->error, TS_STATE, self ? &self->where : NULL,
+			       "the pressure is not known at step %" PRId64
+			       ": forces of contacts were not kept",
+			       sim->clock.step);
+	memcpy(out, kept, 6 * sizeof *out);
+	return TS_OK;
 }
 
 double ts_virial_box_volume(const struct tsim *sim)

@@ -177,8 +177,8 @@ static bool compute_reads_lists(const struct tsim *sim)
 
 bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim)
 {
-	return sim->run.complete || sim->requests.saving || sim->requests.stop || sim->run.shows_lists ||
-	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, TS_RANKS_PARTICLES) ||
+	return sim->clock.step == sim->clock.last_step || sim->requests.saving || sim->requests.stop ||
+	       sim->run.shows_lists || stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, TS_RANKS_PARTICLES) ||
 	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || compute_reads_lists(sim);
 }
 

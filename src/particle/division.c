@@ -328,16 +328,11 @@ enum ts_status ts_division_migrate(struct tsim *sim)
 	return status;
 }
 
-void ts_division_agree_lost(struct tsim *sim, int64_t before)
+int64_t ts_division_sum(const struct tsim *sim, int64_t number)
 {
-	struct ts_particles *p = sim->particles;
-	int64_t lost = p->lost - before;
-
-	if (!sim->division)
-		return;
-	p->lost_warned = ts_ranks_most(sim, p->lost_warned) > 0;
-	ts_world_sum(sim->world, &lost);
-	p->lost = before + lost;
+	if (sim->division)
+		ts_world_sum(sim->world, &number);
+	return number;
 }
 
 /* ---- all particles on each rank, and back */
@@ -574,6 +569,9 @@ static enum ts_status join_sums(struct tsim *sim)
 			if (inst->style->join)
 				TS_TRY(inst->style->join(inst, sim));
 		}
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
+		if ((*s)->no_instance && (*s)->style.join)
+			TS_TRY((*s)->style.join(NULL, sim));
 	return TS_OK;
 }
 

@@ -19,6 +19,9 @@ struct ts_look {
 	size_t n, nghost; /* own particles and ghosts */
 	size_t columns;	  /* numbers of the ghosts in each of the first `columns` columns that is active */
 	struct ts_parcel ghosts;
+	/* The virial of the contacts and bonds of all ranks, which outputs cannot sum then; of this step: contact/virial.h */
+	double virial[6];
+	int64_t virial_step;
 };
 
 struct ts_division {
@@ -52,8 +55,8 @@ void ts_division_free(struct ts_division *division);
 enum ts_status ts_division_let_go(struct tsim *sim);
 /* After that: moves particles and their rows to the ranks of their new positions. */
 enum ts_status ts_division_migrate(struct tsim *sim);
-/* p->lost, which was `before`, and lost_warned become the same on all ranks. */
-void ts_division_agree_lost(struct tsim *sim, int64_t before);
+/* The sum of the numbers of all ranks while the particles are divided, else the number itself. */
+int64_t ts_division_sum(const struct tsim *sim, int64_t number);
 
 /* Cuts the box into a block for each of so many ranks, with the same number of particles; by the positions at the last
  * rebuild. */

@@ -138,7 +138,6 @@ static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
 	else
 		ts_warn(&sim->log, NULL,
 			"%s (said once; `thermo_modify lost ignore` is silent, `lost error` stops)", text);
-	p->lost_warned = true;
 	return status;
 }
 
@@ -159,29 +158,42 @@ bool ts_exchange_some_left(struct tsim *sim)
 	return ts_parallel_count(ts_team(sim, n), n, count_left, sim) > 0;
 }
 
-static enum ts_status drop_lost(struct tsim *sim)
+/* Particles that have left the box, and that with the least identity. */
+struct lost {
+	unsigned char *gone; /* by particle; NULL: none has */
+	size_t n, first;
+};
+
+static enum ts_status find_lost(struct tsim *sim, struct lost *lost)
+{
+	const struct ts_particles *p = sim->particles;
+
+	lost->gone = ts_alloc(p->n, 1);
+	if (!lost->gone)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < p->n; i++) {
+		lost->gone[i] = ts_exchange_left(&sim->domain->box, p->x[i]) >= 0;
+		if (lost->gone[i] && (!lost->n || p->tag[i] < p->tag[lost->first]))
+			lost->first = i;
+		lost->n += lost->gone[i];
+	}
+	return TS_OK;
+}
+
+/* Of all ranks the one that has lost the particle with the least identity reports it, and all have warned then. */
+static enum ts_status drop_lost(struct tsim *sim, const struct lost *lost)
 {
 	struct ts_particles *p = sim->particles;
-	unsigned char *gone = NULL;
-	enum ts_status status = TS_OK;
+	double least = lost->n ? -(double)p->tag[lost->first] : -INFINITY;
+	double most = ts_ranks_most(sim, least);
 
-	for (size_t i = 0; i < p->n && status == TS_OK; i++) {
-		int face = ts_exchange_left(&sim->domain->box, p->x[i]);
-
-		if (face < 0)
-			continue;
-		status = report_lost(sim, i, face);
-		if (!gone)
-			gone = ts_alloc(p->n, 1);
-		if (!gone)
-			return ts_nomem(&sim->error);
-		gone[i] = 1;
-		p->lost++;
-	}
-	if (gone && status == TS_OK)
-		status = ts_particles_delete(sim, gone);
-	ts_free(gone);
-	return status;
+	if (isinf(most)) /* no rank has lost any */
+		return TS_OK;
+	if (least == most)
+		TS_TRY(report_lost(sim, lost->first, ts_exchange_left(&sim->domain->box, p->x[lost->first])));
+	p->lost_warned |= p->lost_policy != TS_LOST_IGNORE;
+	p->lost += ts_division_sum(sim, (int64_t)lost->n);
+	return lost->n ? ts_particles_delete(sim, lost->gone) : TS_OK;
 }
 
 /* Extends lo..hi by the extents of fixes such as meshes. */
@@ -236,15 +248,19 @@ static void fit_all_faces(struct tsim *sim)
 
 enum ts_status ts_exchange_migrate(struct tsim *sim)
 {
-	int64_t lost = sim->particles->lost;
+	struct lost lost = { 0 };
+	enum ts_status status = TS_OK;
 
 	sim->particles->nghost = 0;
 	ts_domain_reduce_shear(sim->domain);
 	for (int dim = 2; dim >= 0; dim--) /* of a sheared box `gradient` before `flow` */
 		TS_TRY(wrap_periodic(sim, dim));
 	if (!sim->run.relist && ts_exchange_some_left(sim))
-		TS_TRY(drop_lost(sim));
-	ts_division_agree_lost(sim, lost);
+		status = find_lost(sim, &lost);
+	if (status == TS_OK)
+		status = drop_lost(sim, &lost);
+	ts_free(lost.gone);
+	TS_TRY(status);
 	fit_all_faces(sim);
 	return TS_OK;
 }

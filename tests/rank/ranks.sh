@@ -128,6 +128,45 @@ refused 'a variable that has got another formula' 7:20 "'v_g' is a value that de
 refused 'a region that moves by a variable of all particles' 9:1 'a region that moves or changes by a variable of all particles does not work' \
 	'variable s equal ke' 'region r sphere 5 5 5 3 move v_s NULL NULL' 'fix f all addforce 1 0 0 region r' "$integrate"
 
+# Of particles that are lost in one step the one with the least identity is told, once, with its contacts.
+printf '%s\n' 'units lj' 'atom_style sphere' 'boundary f f f' 'newton off' 'processors 1 * 1' 'region box block 0 30 0 25 0 20' 'create_box 1 box' \
+	'neighbor 0.5 bin' 'lattice sc 1.0 origin 0.001 0.5 0.5' 'region r block 0 6 1 12 1 6' 'create_atoms 1 region r' \
+	'set group all diameter 1.1 density 1.0' 'thermo_modify lost warn' 'velocity all set -1 -1 -1' 'pair_style gran/hooke 2000.0 NULL 50.0 NULL 0.5 1' \
+	'pair_coeff * *' 'timestep 0.0001' 'fix 1 all nve/sphere' 'run 40' >in.left
+"$TSIM" -in in.left -log none 2>&1 | grep 'left the box' >left.one
+grep -q 'last contacts: particle 2, particle 7, particle 67;' left.one
+report 'the contacts of a lost particle' $? left.one
+for n in 2 3; do
+	ranks $n -in in.left -log none
+	grep 'left the box' out >left.many
+	same "a lost particle is told once by $n ranks" left.one left.many
+done
+
+# Pressure and numbers of bonds are summed before all ranks look at the particles: no contacts are gathered for them.
+gathers='s/.*all gathered \([0-9]*\) times, \([0-9]*\) of them with contacts.*/\1 \2/p'
+sed '/^dump/d; s/^thermo 100/thermo 20/; s/^run 600/run 200/; /^run 300/d' "$scenes/in.bed" >in.look
+{
+	sed '/^dump/d; /^thermo_style/d; /^variable/d; /^fix mean/d; /^print/d; /^run/d; /^compute/d; /^fix .* ave/d' "$scenes/in.rock"
+	printf '%s\n' 'compute b all bonds' 'variable both atom c_b+x' 'compute c all pressure NULL virial' 'thermo_style custom step c_b c_c press pxy' 'thermo 20' \
+		"dump v all custom 40 \${out}.dump id v_both" 'fix w all ave/time 5 4 20 c_b c_c[1] file ${out}.mean' 'run 100'
+} >in.glued
+for scene in look glued; do
+	"$TSIM" -in in.$scene -log log.one -screen none -var out one >out 2>&1
+	report "$scene: one process" $? out
+	for n in 2 3; do
+		ranks $n -in in.$scene -log log.many -screen none -var out many
+		report "$scene: $n ranks" $? out
+		rows log.one >rows.one
+		rows log.many >rows.many
+		same "$scene: rows of $n ranks" rows.one rows.many
+		same "$scene: means of $n ranks" one.mean many.mean
+		read -r all lists <<<"$(sed -n "$gathers" log.many)"
+		[ "$all" -ge 10 ] && [ "$lists" -le 3 ]
+		report "$scene: $n ranks gather no contacts" $? log.many
+	done
+done
+same 'bonds of particles' one.dump many.dump
+
 # Errors: in the script, and of one rank in a step.
 printf 'units lj\nnonsense 1\n' >in.wrong
 ranks 3 -in in.wrong -log none
