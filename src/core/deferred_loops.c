@@ -10,6 +10,9 @@
 /* Particles per block: their columns fit into the first-level cache together with prefetched data. */
 enum { BLOCK = 32 };
 
+/* What an iteration of a loop alone costs, by one of a loop over particles: bodies have members. */
+enum { ALONE_COST = 4 };
+
 static void execute_fused(void *context, size_t from, size_t to)
 {
 	struct ts_deferred_loops *deferred = context;
@@ -25,12 +28,13 @@ static void execute_fused(void *context, size_t from, size_t to)
 void ts_deferred_loops_run(struct tsim *sim)
 {
 	struct ts_deferred_loops *deferred = &sim->deferred;
+	size_t cost = deferred->alone ? ALONE_COST : deferred->n;
 	uint64_t begin;
 
 	if (!deferred->n)
 		return;
 	begin = ts_ticks();
-	ts_parallel(ts_team(sim, deferred->n * deferred->rounds), deferred->rounds, execute_fused, deferred);
+	ts_parallel(ts_team(sim, cost * deferred->rounds), deferred->rounds, execute_fused, deferred);
 	deferred->n = 0;
 	deferred->alone = false;
 	deferred->spent += ts_ticks() - begin;

@@ -43,7 +43,7 @@ static enum ts_status for_each_body(struct tsim *sim, ts_range_fn *work)
 	const struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_rigid_list(sim));
-	ts_parallel(ts_team(sim, r->n), r->ordered, work, sim);
+	ts_parallel(ts_team(sim, r->start ? r->start[r->n] : 0), r->ordered, work, sim); /* by members */
 	return TS_OK;
 }
 

@@ -78,4 +78,17 @@ for scene in bed gas fluid; do
 		report "$scene: $n ranks have and send what was planned" $? difference
 	done
 done
+
+# MPI's library is loaded when there are ranks: another one of that name does no harm to a process alone.
+file=$(grep -ao 'libmpi[a-z_]*[.]so[.0-9]*' "$TSIM" | head -n 1)
+if [ -n "$file" ]; then
+	echo 'int tsim_nothing;' | $CC -shared -fPIC -x c - -Wl,-soname,"$file" -o "$file" >out 2>&1
+	report 'a library without functions' $? out
+	printf 'print "alone"\n' >in.alone
+	LD_LIBRARY_PATH=$work "$TSIM" -in in.alone -log none >out 2>&1 && grep -q '^alone' out
+	report 'alone, without MPI' $? out
+	LD_LIBRARY_PATH=$work OMPI_COMM_WORLD_SIZE=2 "$TSIM" -in in.alone -log none >out 2>&1
+	[ $? = 1 ] && grep -q 'error: the library of MPI cannot be loaded' out && ! grep -q '^alone' out
+	report 'ranks, without MPI' $? out
+fi
 finish
