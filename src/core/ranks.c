@@ -63,9 +63,7 @@ const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_wor
 static enum ts_status check_words(struct tsim *sim, const struct ts_style *style, const char *what,
 				  struct ts_words words)
 {
-	const struct ts_word *shared = (style->ranks & (TS_RANKS_OWN | TS_RANKS_FORMULAS)) == TS_RANKS_OWN
-					       ? ts_ranks_find_shared(sim, words)
-					       : NULL;
+	const struct ts_word *shared = style->ranks & TS_RANKS_OWN ? ts_ranks_find_shared(sim, words) : NULL;
 
 	if (!shared)
 		return TS_OK;
@@ -86,17 +84,17 @@ enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, co
 	return check_words(sim, style, what, words);
 }
 
-/* Variables may have got other formulas since the line of the fix. */
-static enum ts_status check_variables(struct tsim *sim)
+/* Variables may have got other formulas since the line of the style. */
+static enum ts_status check_variables(struct tsim *sim, enum ts_kind kind)
 {
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	const struct ts_instances *all = &sim->instances[kind];
 	char what[128];
 
-	for (size_t k = 0; k < fixes->n; k++) {
-		const struct ts_instance *fix = fixes->item[k];
+	for (size_t k = 0; k < all->n; k++) {
+		const struct ts_instance *inst = all->item[k];
 
-		snprintf(what, sizeof what, "fix %s", fix->style->name);
-		TS_TRY(check_words(sim, fix->style, what, fix->words));
+		snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), inst->style->name);
+		TS_TRY(check_words(sim, inst->style, what, inst->words));
 	}
 	return TS_OK;
 }
@@ -108,7 +106,7 @@ void ts_ranks_apart(struct tsim *sim, bool begins)
 
 enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const struct ts_place *where)
 {
-	if (!sim->run.apart && !sim->division)
+	if (!sim->run.apart)
 		return TS_OK;
 	/* not TS_STATE, which -explain takes for a consequence of values that runs give */
 	return ts_fail(&sim->error, TS_SYNTAX, where,
@@ -126,7 +124,10 @@ enum ts_status ts_ranks_check_systems(struct tsim *sim)
 		if (why)
 			return ts_ranks_refuse(sim, why, ts_sim_word(sim, 0, NULL));
 	}
-	return ts_ranks(sim) > 1 ? check_variables(sim) : TS_OK;
+	if (ts_ranks(sim) == 1)
+		return TS_OK;
+	TS_TRY(check_variables(sim, TS_KIND_FLOW));
+	return check_variables(sim, TS_KIND_FIX);
 }
 
 enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim)

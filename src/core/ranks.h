@@ -39,9 +39,10 @@ enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, co
 const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words);
 /* The same for an option; `what`: its name. */
 enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
-/* Between two calls formulas are evaluated that are also evaluated while the particles are divided. */
+/* Between two calls formulas of commands are evaluated, which are also evaluated while the particles are divided; those of
+ * styles: ts_ranks_allow. */
 void ts_ranks_apart(struct tsim *sim, bool begins);
-/* An error if a name that depends on particles is read then, or while they are divided. */
+/* An error if a name that depends on particles is read then. */
 enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const struct ts_place *where);
 /* Before a run: asks all systems whether the particles can be divided. */
 enum ts_status ts_ranks_check_systems(struct tsim *sim);

@@ -97,9 +97,7 @@ enum ts_rank_use {
 	TS_RANKS_PARTICLES = 8,
 	/* All ranks do the steps in which `due` says so with all particles, as one rank does: what is rare and looks at the
 	 * particles of all ranks, such as insertions. */
-	TS_RANKS_STEPS = 16,
-	/* With TS_RANKS_OWN: its arguments may be formulas, which all ranks evaluate between ts_ranks_apart. */
-	TS_RANKS_FORMULAS = 32
+	TS_RANKS_STEPS = 16
 };
 
 struct ts_carrier;

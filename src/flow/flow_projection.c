@@ -95,15 +95,10 @@ static enum ts_status apply_arguments(struct ts_instance *self, struct tsim *sim
 static enum ts_status evaluate_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
-	enum ts_status status = TS_OK;
 
-	ts_ranks_apart(sim, true);
-	for (int d = 0; d < 3 && status == TS_OK; d++)
-		status = ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]);
-	if (status == TS_OK)
-		status = ts_number_now(sim, &p->level, &self->where, &p->level_now);
-	ts_ranks_apart(sim, false);
-	return status;
+	for (int d = 0; d < 3; d++)
+		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
+	return ts_number_now(sim, &p->level, &self->where, &p->level_now);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -119,8 +114,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_projection_setup(self, sim));
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
-	if (is_run && ts_ranks(sim) > 1) /* what cannot be evaluated in steps is refused before the run */
-		TS_TRY(evaluate_force(self, sim));
 	if (ts_projection_not_started(p))
 		p->fluid.time = ts_sim_time(sim);
 	return TS_OK;
@@ -448,7 +441,7 @@ TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 const struct ts_flow_style ts_flow_projection = {
 	.style = { .name = "projection",
 		   .kind = TS_KIND_FLOW,
-		   .ranks = TS_RANKS_OWN | TS_RANKS_FORMULAS,
+		   .ranks = TS_RANKS_OWN,
 		   .due = due,
 		   .settle = settle,
 		   .family = TS_FAMILY_PROJECTION,

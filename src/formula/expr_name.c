@@ -276,7 +276,7 @@ static enum ts_status read_output_name(struct ts_expr *e, const char *name, size
 	return ts_expr_locate_error(e, status, at, e->at);
 }
 
-/* Keywords that do not depend on the particles of other ranks. */
+/* Keywords that do not depend on the particles of other ranks; all ranks have the whole fluid. */
 enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX | TS_KEYWORD_FLUID };
 
 /* A thermo keyword. The values of some are known behind a run that is left out. */
@@ -288,8 +288,7 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 		     (keyword->flags & TS_KEYWORD_BOX && !e->sim->run.box_moves);
 	enum ts_status status;
 
-	e->formulas->reads_all |=
-		!(keyword->flags & (TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX));
+	e->formulas->reads_all |= !(keyword->flags & ALONE);
 	if (e->sim->reading.dry)
 		return set_unknown(out);
 	if (!(keyword->flags & ALONE))

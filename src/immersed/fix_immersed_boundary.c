@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/ranks.h"
 #include "core/report.h"
 #include "flow/flow.h"
 #include "flow/flow_arguments.h"
@@ -211,18 +210,15 @@ static enum ts_status evaluate_prescribed_motion(struct ts_instance *self, struc
 {
 	struct state *s = self->state;
 	struct ts_solid_motion *m = &s->prescribed.motion;
-	enum ts_status status = TS_OK;
 
-	ts_ranks_apart(sim, true);
 	for (int k = 0; k < 3; k++) {
-		if (status == TS_OK && s->prescribed.velocity)
-			status = ts_number_now(sim, &s->velocity[k], &self->where, &m->velocity[k]);
-		if (status == TS_OK && s->prescribed.omega)
-			status = ts_number_now(sim, &s->omega[k], &self->where, &m->omega[k]);
+		if (s->prescribed.velocity)
+			TS_TRY(ts_number_now(sim, &s->velocity[k], &self->where, &m->velocity[k]));
+		if (s->prescribed.omega)
+			TS_TRY(ts_number_now(sim, &s->omega[k], &self->where, &m->omega[k]));
 		m->centre[k] = s->centre[k];
 	}
-	ts_ranks_apart(sim, false);
-	return status;
+	return TS_OK;
 }
 
 static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
@@ -731,7 +727,7 @@ TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
 const struct ts_style ts_fix_immersed_boundary = {
 	.name = "immersed/boundary",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_FORMULAS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "A solid body in a fluid that is solved for, by direct forcing on the grid",
 	.doc = "Inside the body the velocity of the fluid is set to that of the body. At points next to its "
 	       "surface it is set to the value on the parabola along the normal n through the surface and "

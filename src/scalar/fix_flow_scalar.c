@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/ranks.h"
 #include "core/report.h"
 #include "coupling/cell_order.h"
 #include "coupling/interpolation_weights.h"
@@ -84,7 +83,7 @@ static enum ts_status read_face_conditions(struct ts_instance *self, struct tsim
 }
 
 /* Evaluates the conditions on faces and the source; fluxes are converted to T times velocity. */
-static enum ts_status evaluate_now(struct ts_instance *self, struct tsim *sim)
+static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	double amount = s->fluid->density * s->capacity;
@@ -107,16 +106,6 @@ static enum ts_status evaluate_now(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_number_now(sim, &s->source, &self->where, &s->transport.constant));
 	s->transport.constant /= amount;
 	return TS_OK;
-}
-
-static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim *sim)
-{
-	enum ts_status status;
-
-	ts_ranks_apart(sim, true);
-	status = evaluate_now(self, sim);
-	ts_ranks_apart(sim, false);
-	return status;
 }
 
 static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *sim)
@@ -478,7 +467,7 @@ TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
 const struct ts_style ts_fix_flow_scalar = {
 	.name = "flow/scalar",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_FORMULAS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Transport of temperature or another scalar by the fluid",
 	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void "
 	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any "
