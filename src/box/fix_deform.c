@@ -595,6 +595,7 @@ TS_STYLE(fix, ts_style, ts_fix_deform)
 const struct ts_style ts_fix_deform = {
 	.name = "deform",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Changes the lengths of the box during a run, or shears it",
 	.doc = "The faces move at the end of each time step that is a multiple of N. The targets of `final`, "
 	       "`delta` and `scale` are approached linearly and reached at the end of each run (see `run N "

@@ -106,10 +106,17 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, value),   TS_SAVED_ROWS_END,
 };
 
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	return sim->clock.step % ((const struct state *)self->state)->every == 0;
+}
+
 TS_STYLE(fix, ts_style, ts_fix_controller)
 const struct ts_style ts_fix_controller = {
 	.name = "controller",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_WHOLE,
+	.due = is_due,
 	.summary = "PID controller: changes a variable so that a quantity approaches a setpoint",
 	.doc = "At the end of each time step that is a multiple of Nevery the control variable c, the "
 	       "internal-style variable cvar, is changed by\n\n"

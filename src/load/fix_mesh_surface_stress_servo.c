@@ -89,13 +89,16 @@ static enum ts_status check_axis_and_target(struct ts_instance *self, struct tsi
 
 /* ---- gains ---- */
 
-static double smallest_radius(const struct ts_particles *p)
+/* Of the particles of all ranks; 0: there are none. */
+static double smallest_radius(const struct tsim *sim)
 {
+	const struct ts_particles *p = sim->particles;
 	double least = INFINITY;
 
 	for (size_t i = 0; i < p->n; i++)
 		least = fmin(least, p->radius[i]);
-	return p->n ? least : 0;
+	least = -ts_ranks_most(sim, -least);
+	return isfinite(least) ? least : 0;
 }
 
 /* Default of kp in LIGGGHTS, and the fraction of the largest stable kp that is used if that is smaller. */
@@ -149,7 +152,7 @@ static double gain_margin(const struct state *s, const struct tsim *sim, const s
 	if (s->mode == AUTO) /* where the error is small */
 		loop = (struct ts_servo_loop){ c->stiffness,
 					       c->damping,
-					       { 0.1 * s->ratio * smallest_radius(sim->particles) /
+					       { 0.1 * s->ratio * smallest_radius(sim) /
 						 sim->clock.dt / fabs(s->target) } };
 	return c->n > 0 ? ts_servo_margin(&loop, sim->clock.dt) : INFINITY;
 }
@@ -263,7 +266,7 @@ static double auto_speed(const struct ts_instance *self, const struct tsim *sim,
 	double speed = s->fastest;
 
 	if (ts_ranks_most(sim, ts_surface_contacts_listed(sim, self)) > 0)
-		speed = s->ratio * -ts_ranks_most(sim, -smallest_radius(sim->particles)) / sim->clock.dt;
+		speed = s->ratio * smallest_radius(sim) / sim->clock.dt;
 	return copysign(size * gain, error) * speed;
 }
 

@@ -147,6 +147,13 @@ function bodies(   k, n) {
 	moved = "free"
 }
 
+function variables() {
+	print "variable rise equal " 0.1 * diameter "*sin(" 400 / scale "*time)"
+	print "variable size equal " 2 * diameter "+v_rise"
+	print "variable load equal " 1e-4 * scale ^ 2 * kilogram * metre "*(1+step%5)"
+	print "variable blow atom v_load*(z>" len(middle("z")) ")*sin(x/" len(1) ")"
+}
+
 # Walls at faces that are not periodic; one in five is open.
 function plane_walls(   names, k, a, shear) {
 	split("x y z", names, " ")
@@ -172,13 +179,54 @@ function mesh_wall(   shape) {
 	if (shape == "plate") shape = "plate length " len(between(1, 8)) " width " len(between(1, 5))
 	else if (shape == "drum") shape = "drum radius " len(between(2, 3)) " length " len(between(2, 6)) " lifters " whole(0, 4) " axis 0 1 0"
 	else shape = "box " two(-1, 1) " " two(-1, 1) " 0 " len(between(0.5, 3))
-	print "fix solid all mesh/surface primitive " shape " move " \
-		pos(middle("x") + between(-1, 1), middle("y"), middle("z") - between(0, 3)) " type " whole(1, types)
+	loaded = chance(2)
+	worn = loaded && chance(2)
+	if (worn) print "fix m7 all property/global k_finnie peratomtypepair " types repeated(1e-9 / kilogram * metre, types * types)
+	print "fix solid all mesh/surface" (loaded ? "/stress" : "") " primitive " shape " move " \
+		pos(middle("x") + between(-1, 1), middle("y"), middle("z") - between(0, 3)) " type " whole(1, types) \
+		(worn ? " wear finnie" : "")
+	if (loaded) wall_forces = wall_forces " f_solid[" whole(1, 3) "] f_solid[" whole(4, 6) "]"
 	if (chance(2)) print "fix swing all move/mesh mesh solid wiggle amplitude " pos(0.1, 0, 0.2) " period " between(0.005, 0.05) * scale
 	if (chance(2)) print "fix turn all move/mesh mesh solid rotate origin " pos(middle("x"), middle("y"), middle("z")) \
 		" axis 0 1 0 period " between(0.05, 0.3) * scale
 	print "fix solids all wall/gran " law " mesh n_meshes 1 meshes solid"
 	wall_forces = wall_forces " f_solids[" whole(1, 3) "]"
+	if (chance(3)) {
+		print "fix hits all surface/impacts surface solid"
+		wall_forces = wall_forces " f_hits f_hits[" whole(2, 4) "]"
+	}
+	if (chance(3)) {
+		print "fix rubbed all wear/archard surface solid k 1e-6 hardness " 1e9 * kilogram / metre
+		wall_forces = wall_forces " f_rubbed"
+	}
+	if (chance(4)) {
+		print "fix press all mesh/surface/stress/servo primitive plate length " len(3) " width " len(2) " move " \
+			pos(middle("x"), middle("y"), high["z"] - 1) " type 1 com " pos(middle("x"), middle("y"), high["z"] - 1) \
+			" ctrlPV force axis 0 0 -1 target_val " (chance(2) ? "v_load" : 0.01 * scale ^ 2 * kilogram * metre) \
+			" vel_max " speed(0.2) (chance(2) ? " mode auto ratio 0.01" : "")
+		print "fix pressed all wall/gran " law " mesh n_meshes 1 meshes press"
+		wall_forces = wall_forces " f_press[3] f_press[9]"
+	}
+}
+
+# A mesh that counts, and may delete, what passes.
+function gate() {
+	if (!liggghts || !chance(4)) return
+	print "fix frame all mesh/surface primitive plate length " len(30) " width " len(30) " move " pos(middle("x"), middle("y"), middle("z") - 1) " type 1"
+	print "fix gate all massflow/mesh mesh frame vec_side 0 0 -1 count " (chance(2) ? "multiple" : "once" (chance(2) ? " delete_atoms yes" : "")) \
+		" file ${out}.gate"
+	wall_forces = wall_forces " f_gate[1] f_gate[2] f_gate[5]"
+}
+
+# The surface of a region that may move is a wall.
+function region_wall(   moves) {
+	if (!chance(4)) return
+	moves = pick("1 2 3")
+	print "region lump sphere " pos(middle("x"), middle("y"), low["z"] - 1) " " (moves == 2 ? "v_size" : len(2)) " side out units box" \
+		(moves == 3 ? " move v_rise NULL NULL" : "")
+	print "fix lump all wall/gran/region hooke/history " 2000 * scale * kilogram " NULL " 50 / scale " NULL 0.5 1 region lump contacts"
+	wall_forces = wall_forces " f_lump[" whole(1, 3) "]"
+	contacts = " f_lump[1] f_lump[4]"
 }
 
 function motion_and_forces() {
@@ -187,6 +235,17 @@ function motion_and_forces() {
 	once("group odd id 1:100000:2")
 	print "fix move " (moved ? moved : "all") " " pick("nve/sphere nve/sphere nve/sphere nve/symplectic")
 	print "fix down all gravity " 9.81 / scale * metre " vector " pick("0 1 -1") " 0 -1"
+	if (chance(4)) print "fix blow " pick("all part odd") " addforce " pick("0 v_load") " v_blow 0"
+	if (chance(4)) {
+		once("group low dynamic all region part every " whole(3, 20))
+		print "fix lift low addforce 0 0 v_load"
+	}
+	if (chance(5)) print "fix marks all property/atom/tracer region_mark part mark_step 20 marker_style heaviside check_mark_every " whole(5, 20)
+	if (chance(5)) {
+		print "fix stay all property/atom/regiontracer/time add_region part check_region_every " whole(2, 9)
+		contacts = contacts " f_stay[1] f_stay[2]"
+	}
+	if (!bonded && !moved && chance(6)) print "fix dry odd evaporate " whole(20, 60) " 2 part 49892"
 	if (chance(4)) print "fix push " pick("all part odd") " addforce 0 " 1e-4 * scale ^ 2 * kilogram * metre " 0" (chance(2) ? " region part" : "")
 	if (chance(5)) print "fix slow odd damping/cundall 0.1 0.1"
 	if (chance(5)) print "fix rail part " pick("lineforce planeforce") " 0 1 " pick("0 1")
@@ -268,7 +327,7 @@ function outputs(   columns) {
 	print "thermo " whole(20, 60)
 	print "thermo_modify format float %.17g lost ignore"
 	print "dump grains " pick("all all part odd") " custom " whole(60, 120) \
-		" ${out}.dump id type x y z ix iy iz vx vy vz omegax omegay omegaz fx fy fz tqx tqz radius" temperatures
+		" ${out}.dump id type x y z ix iy iz vx vy vz omegax omegay omegaz fx fy fz tqx tqz radius" temperatures contacts
 	print "dump_modify grains format float %.17g sort id"
 }
 
@@ -289,7 +348,10 @@ BEGIN {
 	grains()
 	bonds()
 	plane_walls()
+	variables()
 	mesh_wall()
+	gate()
+	region_wall()
 	heat()
 	bodies()
 	motion_and_forces()
