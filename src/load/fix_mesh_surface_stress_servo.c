@@ -152,8 +152,8 @@ static double gain_margin(const struct state *s, const struct tsim *sim, const s
 	if (s->mode == AUTO) /* where the error is small */
 		loop = (struct ts_servo_loop){ c->stiffness,
 					       c->damping,
-					       { 0.1 * s->ratio * smallest_radius(sim) /
-						 sim->clock.dt / fabs(s->target) } };
+					       { 0.1 * s->ratio * smallest_radius(sim) / sim->clock.dt /
+						 fabs(s->target) } };
 	return c->n > 0 ? ts_servo_margin(&loop, sim->clock.dt) : INFINITY;
 }
 
