@@ -1,6 +1,7 @@
 /* Fix surface/heat: heat that particles conduct into a surface. */
 #include <math.h>
 
+#include "base/sort.h"
 #include "core/archive.h"
 #include "math/compensated.h"
 #include "math/exactsum.h"
@@ -22,6 +23,13 @@ struct state {
 	struct ts_surface surface;
 	struct ts_surface_rows rows; /* struct row */
 	double steps;		     /* of the fix, so far */
+	struct ts_parcel powers;     /* of the contacts in this step */
+};
+
+/* Heat flow of contact k of the surface, counted over all ranks, which the rank of its particle knows. */
+struct power {
+	size_t k;
+	double value;
 };
 
 /* Temperatures are advanced before the heat is summed, so fix heat/gran must come first. */
@@ -69,9 +77,42 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return TS_OK;
 }
 
-static enum ts_status add_contact(struct tsim *sim, struct state *s, const struct ts_surface_contact *c)
+static int by_contact(const void *a, const void *b)
 {
-	double power = c->heat + c->conductance * ts_heat_mean_rise(ts_heat_of(sim), c->particle), *at;
+	const struct power *p = a, *q = b;
+
+	return (p->k > q->k) - (p->k < q->k);
+}
+
+/* The heat flows of all contacts, in their order. */
+static enum ts_status find_powers(struct tsim *sim, struct state *s)
+{
+	struct ts_surface_contacts contacts = ts_surface_heat_contacts(sim, s->surface.by);
+	struct ts_parcel all = { 0 };
+	struct ts_surface_contact c;
+	struct power power = { 0 };
+	enum ts_status status = TS_OK;
+
+	s->powers.n = 0;
+	for (; status == TS_OK && ts_surface_contacts_next(&contacts, &c); power.k++) {
+		if (c.particle == SIZE_MAX) /* of another rank */
+			continue;
+		power.value = c.heat + c.conductance * ts_heat_mean_rise(ts_heat_of(sim), c.particle);
+		status = ts_parcel_add(&s->powers, &power, sizeof power);
+	}
+	if (status == TS_OK && sim->division) {
+		status = ts_world_share(sim->world, &s->powers, &all);
+		ts_parcel_release(&s->powers);
+		s->powers = all;
+		ts_sort(all.data, all.n / sizeof power, sizeof power, by_contact);
+	}
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status add_contact(struct tsim *sim, struct state *s, const struct ts_surface_contact *c,
+				  double power)
+{
+	double *at;
 	struct row *row;
 
 	TS_TRY(ts_surface_rows_at(sim, &s->rows, c->element, &at));
@@ -88,13 +129,18 @@ static enum ts_status add_contact(struct tsim *sim, struct state *s, const struc
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_surface_contacts contacts = ts_surface_heat_contacts(sim, s->surface.by);
+	struct ts_surface_contacts contacts;
 	struct ts_surface_contact c;
+	const struct power *power;
 
 	s->steps++;
-	while (ts_surface_contacts_next(&contacts, &c))
-		if (ts_in_group(sim->particles, c.particle, self->group))
-			TS_TRY(add_contact(sim, s, &c));
+	TS_TRY(ts_surface_contacts_share(sim, s->surface.by));
+	TS_TRY(find_powers(sim, s));
+	power = (const struct power *)(const void *)s->powers.data;
+	contacts = ts_surface_heat_contacts(sim, s->surface.by);
+	for (; ts_surface_contacts_next(&contacts, &c); power++)
+		if (ts_surface_contact_in_group(&c, self->group))
+			TS_TRY(add_contact(sim, s, &c, power->value));
 	return TS_OK;
 }
 
@@ -184,7 +230,10 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 static void fini(struct ts_instance *self)
 {
-	ts_surface_rows_release(&((struct state *)self->state)->rows);
+	struct state *s = self->state;
+
+	ts_surface_rows_release(&s->rows);
+	ts_parcel_release(&s->powers);
 }
 
 static const struct ts_arg args[] = {
@@ -198,6 +247,7 @@ TS_STYLE(fix, ts_style, ts_fix_surface_heat)
 const struct ts_style ts_fix_surface_heat = {
 	.name = "surface/heat",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "heat that particles conduct into the elements of a surface",
 	.doc = "In each step each contact of a particle of the group, of temperature T_i, with the surface, "
 	       "of temperature T, conducts the heat flow\n\n"
