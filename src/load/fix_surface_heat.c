@@ -6,7 +6,7 @@
 #include "math/compensated.h"
 #include "math/exactsum.h"
 #include "particle/particles.h"
-#include "wall/surface_contacts.h"
+#include "wall/shared_contacts.h"
 #include "wall/surface_rows.h"
 
 #include "base/banned.h"
@@ -134,7 +134,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	const struct power *power;
 
 	s->steps++;
-	TS_TRY(ts_surface_contacts_share(sim, s->surface.by));
+	TS_TRY(ts_shared_contacts_find(sim, s->surface.by));
 	TS_TRY(find_powers(sim, s));
 	power = (const struct power *)(const void *)s->powers.data;
 	contacts = ts_surface_heat_contacts(sim, s->surface.by);

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "mesh/mesh_style.h"
-#include "wall/surface_contacts.h"
+#include "wall/shared_contacts.h"
 
 #include "base/banned.h"
 
@@ -106,7 +106,7 @@ static enum ts_status sum_contacts(struct ts_instance *self, struct tsim *sim)
 	struct ts_surface_contacts contacts;
 	struct ts_surface_contact c;
 
-	TS_TRY(ts_surface_contacts_share(sim, self));
+	TS_TRY(ts_shared_contacts_find(sim, self));
 	contacts = ts_surface_contacts(sim, self);
 	memset(s->load, 0, surface->mesh.n * sizeof *s->load);
 	memset(s->sum, 0, sizeof s->sum);

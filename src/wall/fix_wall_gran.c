@@ -2,7 +2,7 @@
 #include "impact/impacts.h"
 #include "wall/mesh_wall.h"
 #include "wall/primitive_wall.h"
-#include "wall/surface_contacts.h"
+#include "wall/shared_contacts.h"
 #include "wall/voxel_wall.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
@@ -127,6 +127,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	TS_TRY(ts_wall_plan(self, sim, report));
+	ts_shared_contacts_plan(sim, self->state, report);
 	return ((const struct ts_wall *)self->state)->exact ? ts_exact_plan(self, sim) : TS_OK;
 }
 

@@ -6,25 +6,15 @@
 
 #include "base/banned.h"
 
-struct row {
-	int32_t surface, rank;
-	bool conducts; /* only */
-	struct ts_surface_contact contact;
-};
-
-const struct ts_surface_contact *ts_shared_contact(const struct ts_wall *w, size_t k)
-{
-	return &((const struct row *)(const void *)w->shared.data)[k].contact;
-}
-
 static enum ts_status pack(const struct tsim *sim, const struct ts_wall *w, struct ts_parcel *mine)
 {
-	struct row *row = (struct row *)(void *)ts_parcel_extend(mine, w->nlisted * sizeof *row);
+	struct ts_shared_contact *row =
+		(struct ts_shared_contact *)(void *)ts_parcel_extend(mine, w->nlisted * sizeof *row);
 
 	for (size_t at = 0; row && at < w->nlisted; at++) {
-		row[at] = (struct row){ .surface = w->touching[at].surface,
-					.rank = sim->world->rank,
-					.conducts = at >= w->ntouching };
+		row[at] = (struct ts_shared_contact){ .surface = w->touching[at].surface,
+						      .rank = sim->world->rank,
+						      .conducts = at >= w->ntouching };
 		ts_surface_contact_of(sim, w, w->touching[at].k, &row[at].contact);
 	}
 	return row ? TS_OK : TS_NOMEM;
@@ -34,7 +24,7 @@ static enum ts_status pack(const struct tsim *sim, const struct ts_wall *w, stru
  * rank, in the order of its list, which equal keys keep. */
 static size_t append_sorted(struct ts_wall *w, size_t n, bool conducts)
 {
-	const struct row *row = (const struct row *)(const void *)w->shared.data;
+	const struct ts_shared_contact *row = (const struct ts_shared_contact *)(const void *)w->shared.data;
 	size_t from = n;
 
 	for (size_t k = 0; k < w->shared.n / sizeof *row; k++)
@@ -50,7 +40,7 @@ enum ts_status ts_shared_contacts_make(struct tsim *sim, struct ts_wall *w)
 {
 	struct ts_parcel mine = { 0 };
 	enum ts_status status = pack(sim, w, &mine);
-	struct row *row;
+	struct ts_shared_contact *row;
 	size_t n;
 
 	w->shared.n = w->ntouching = w->nlisted = 0;
@@ -61,12 +51,22 @@ enum ts_status ts_shared_contacts_make(struct tsim *sim, struct ts_wall *w)
 	n = w->shared.n / sizeof *row;
 	if (status != TS_OK || TS_GROW(w->touching, w->touching_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
-	row = (struct row *)(void *)w->shared.data;
+	row = (struct ts_shared_contact *)(void *)w->shared.data;
 	for (size_t k = 0; k < n; k++)
 		if (row[k].rank != sim->world->rank)
 			row[k].contact.particle = SIZE_MAX;
 	w->ntouching = append_sorted(w, 0, false);
 	w->nlisted = append_sorted(w, w->ntouching, true);
+	return TS_OK;
+}
+
+enum ts_status ts_shared_contacts_find(struct tsim *sim, const struct ts_instance *surface)
+{
+	struct ts_wall *w;
+
+	for (size_t at = 0; sim->division && (w = ts_walls_next(sim, &at, NULL));)
+		if (!w->shares && ts_wall_find_surface(w, surface) != SIZE_MAX)
+			TS_TRY(ts_shared_contacts_make(sim, w));
 	return TS_OK;
 }
 
@@ -93,5 +93,5 @@ void ts_shared_contacts_plan(const struct tsim *sim, const struct ts_wall *w, st
 		ts_report_line(report, "shared contacts",
 			       "all ranks get those with wall %s where its load is printed, in each step "
 			       "where the load moves or wears it: now %zu, %zu bytes each",
-			       w->by->id, count_touching(sim, w), sizeof(struct row));
+			       w->by->id, count_touching(sim, w), sizeof(struct ts_shared_contact));
 }

@@ -7,7 +7,19 @@
 
 /* Until the next forces: replaces the lists of touching and conducting contacts of this rank by those of all ranks, which all call it. */
 enum ts_status ts_shared_contacts_make(struct tsim *sim, struct ts_wall *w);
-const struct ts_surface_contact *ts_shared_contact(const struct ts_wall *w, size_t k);
+/* The same, before an iteration of all of them in a step, for the walls made of this surface: observers then have the same sums
+ * on all ranks. Without ranks does nothing. */
+enum ts_status ts_shared_contacts_find(struct tsim *sim, const struct ts_instance *surface);
+/* Element k of w->shared. */
+struct ts_shared_contact {
+	int32_t surface, rank;
+	bool conducts; /* only */
+	struct ts_surface_contact contact;
+};
+static inline const struct ts_surface_contact *ts_shared_contact(const struct ts_wall *w, size_t k)
+{
+	return &((const struct ts_shared_contact *)(const void *)w->shared.data)[k].contact;
+}
 /* In the plan of the wall: what ranks will send. */
 void ts_shared_contacts_plan(const struct tsim *sim, const struct ts_wall *w, struct ts_plan_report *report);
 

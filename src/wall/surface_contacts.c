@@ -83,16 +83,6 @@ enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w)
 	return TS_OK;
 }
 
-enum ts_status ts_surface_contacts_share(struct tsim *sim, const struct ts_instance *surface)
-{
-	struct ts_wall *w;
-
-	for (size_t at = 0; sim->division && (w = ts_walls_next(sim, &at, NULL));)
-		if (!w->shares && ts_wall_find_surface(w, surface) != SIZE_MAX)
-			TS_TRY(ts_shared_contacts_make(sim, w));
-	return TS_OK;
-}
-
 static bool has_wall(const struct tsim *sim, const struct ts_instance *surface)
 {
 	const struct ts_wall *w;

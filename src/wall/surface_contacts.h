@@ -55,9 +55,6 @@ struct ts_surface_contacts {
 	size_t brief, node; /* in its list of brief contacts; number of the node */
 };
 
-/* With several ranks, before an iteration of all of them in a step: each gets the contacts of all with this surface, so that
- * observers have the same sums on all ranks. */
-enum ts_status ts_surface_contacts_share(struct tsim *sim, const struct ts_instance *surface);
 struct ts_surface_contacts ts_surface_contacts(const struct tsim *sim, const struct ts_instance *surface);
 struct ts_surface_contacts ts_surface_heat_contacts(const struct tsim *sim,
 						    const struct ts_instance *surface);

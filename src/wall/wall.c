@@ -15,7 +15,6 @@
 #include "particle/prescribed.h"
 #include "particle/rank_sums.h"
 #include "rigid/rigid.h"
-#include "wall/shared_contacts.h"
 
 #include "base/banned.h"
 
@@ -419,7 +418,6 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct t
 		TS_TRY(w->shape->check_law(self, sim));
 	if (w->shape->plan)
 		w->shape->plan(self, sim);
-	ts_shared_contacts_plan(sim, w, plan);
 	for (size_t k = 0; k < n; k++)
 		TS_TRY(plan_type(self, sim, ts_wall_surface_type(w, k), plan));
 	return TS_OK;

@@ -8,7 +8,7 @@
 #include "math/exactsum.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
-#include "wall/surface_contacts.h"
+#include "wall/shared_contacts.h"
 
 #include "base/banned.h"
 
@@ -108,7 +108,7 @@ enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
 	if (sim->run.in_setup) /* these forces belong to the step before */
 		return TS_OK;
 	if (w->law->slide)
-		TS_TRY(ts_surface_contacts_share(sim, w->surface.by));
+		TS_TRY(ts_shared_contacts_find(sim, w->surface.by));
 	while ((impact = ts_surface_impacts_next(&impacts)))
 		if (ts_surface_impact_in_group(impact, self->group))
 			TS_TRY(add_impact(self, sim, &impact->event));
