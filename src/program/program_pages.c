@@ -12,6 +12,7 @@
 #include "manual/manual.h"
 #include "manual/topics.h"
 #include "program/program.h"
+#include "program/program_ranks.h"
 #include "study/study.h"
 #include "tsim.h"
 #include "view/view.h"
@@ -101,6 +102,7 @@ int ts_program_version(void)
 	printf("tsim %s\n", tsim_version());
 	for (size_t k = 0; (name = tsim_feature(k, &text)); k++)
 		printf("  %-10s %s\n", name, text);
+	printf("  %-10s %s\n", "ranks", ts_program_ranks_standard());
 	return EXIT_SUCCESS;
 }
 

@@ -46,6 +46,11 @@ struct ts_files_peers ts_program_ranks_files(struct ts_world *world)
 
 #ifndef TS_WITH_MPI
 
+const char *ts_program_ranks_standard(void)
+{
+	return "no";
+}
+
 struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why)
 {
 	(void)argc;
@@ -88,6 +93,14 @@ void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *repor
 }
 
 #else
+
+#define TEXT_OF(word) #word
+#define TEXT(number) TEXT_OF(number)
+
+const char *ts_program_ranks_standard(void)
+{
+	return "MPI " TEXT(MPI_VERSION) "." TEXT(MPI_SUBVERSION);
+}
 
 struct mpi {
 	struct ts_world base;

@@ -5,6 +5,8 @@
 #include "base/files.h"
 #include "rank/world.h"
 
+/* The version of MPI by which there are ranks, or "no". */
+const char *ts_program_ranks_standard(void);
 /* The communicator of all processes; NULL: this process is alone (then nothing is initialised), or *why tells why the
  * processes that were started cannot work together. */
 struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why);

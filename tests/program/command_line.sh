@@ -24,6 +24,10 @@ expect() {
 }
 
 version=$("$TSIM" -version | head -n 1)
+"$TSIM" -version >features
+for feature in threads gsl zlib png hdf5 movies ranks; do
+	[ "$(grep -cE "^  $feature +[^ ]" features)" = 1 ] || { echo "FAILED: -version has no $feature"; failed=1; }
+done
 more="'tsim -help' lists the options"
 printf 'variable n index 2.5\nprint "n $n"  # so\nif "$n > 3" then "prnit $n"\n' >in.script
 
