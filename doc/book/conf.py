@@ -158,16 +158,21 @@ class Names:
         return "".join(parts)
 
 
+# headings that each page of a model has
+PARTS = {"Equations", "Assumptions", "Order", "Limits", "Cost", "Sources", "Source"}
+
+
 def index_entries(text, name):
     """A style is found by its name, a page by its headings, a term of the glossary by itself."""
-    if name.startswith("styles/"):
+    if name.startswith("styles/") and name != "styles/index":
         kind, _, style = text.split("\n", 1)[0].lstrip("# ").partition(" ")
         words = [f"single: {style} ({kind})", f"single: {kind}; {style}"] if style else []
     elif name == "glossary":
         words = [f"single: {term.strip()}" for term in re.findall(r"^\*\*([^*]+)\*\*", text, re.M)]
     else:
         block = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
-        words = [f"single: {title}" for title in re.findall(r"^#+ (.+)$", block, re.M)]
+        titles = [re.sub(r"^(A|An|The) (?=\w)", "", title) for title in re.findall(r"^#+ (.+)$", block, re.M)]
+        words = [f"single: {title}" for title in titles if title not in PARTS]
     words = [w.replace("`", "") for w in words]
     return "".join(f"```{{index}} {w}\n```\n" for w in words)
 
