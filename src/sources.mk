@@ -80,10 +80,10 @@ library_sources = \
 	src/average/particle_tally.h \
 	src/average/reduce.c \
 	src/average/reduce.h \
-	src/balance/balance.c \
-	src/balance/balance.h \
 	src/balance/command_balance.c \
 	src/balance/fix_balance.c \
+	src/balance/rank_balance.c \
+	src/balance/rank_balance.h \
 	src/balance/weights.c \
 	src/balance/weights.h \
 	src/base/alloc.c \

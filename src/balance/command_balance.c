@@ -1,10 +1,10 @@
 /* Command balance: changes the blocks of ranks. */
-#include "balance/balance.h"
+#include "balance/rank_balance.h"
 #include "io/textfile.h"
 
 #include "base/banned.h"
 
-static enum ts_status write_file(struct ts_balance *b, struct tsim *sim, const struct ts_place *where)
+static enum ts_status write_file(struct ts_rank_balance *b, struct tsim *sim, const struct ts_place *where)
 {
 	struct ts_textfile file = { 0 };
 	struct ts_rank_blocks *blocks;
@@ -18,7 +18,7 @@ static enum ts_status write_file(struct ts_balance *b, struct tsim *sim, const s
 	return ts_textfile_close(&file) == TS_OK ? status : TS_IO;
 }
 
-static enum ts_status balance(struct ts_balance *b, struct tsim *sim, const struct ts_place *where)
+static enum ts_status balance(struct ts_rank_balance *b, struct tsim *sim, const struct ts_place *where)
 {
 	struct ts_balance_result result;
 
@@ -35,7 +35,7 @@ static enum ts_status balance(struct ts_balance *b, struct tsim *sim, const stru
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	struct ts_balance *b = state;
+	struct ts_rank_balance *b = state;
 	enum ts_status status;
 
 	b->what = "balance";
@@ -45,25 +45,26 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 /* clang-format off */
-#define CUTS(letter, d) TS_SOME_KEYWORD(letter, struct ts_balance, cuts[d], 0, \
+#define CUTS(letter, d) TS_SOME_KEYWORD(letter, struct ts_rank_balance, cuts[d], 0, \
 	.help = "`uniform`, or where to cut along " letter ", between 0 and 1, one number less than there are blocks")
 /* clang-format on */
 
 static const struct ts_arg args[] = {
-	TS_REAL("threshold", struct ts_balance, threshold, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	TS_REAL("threshold", struct ts_rank_balance, threshold, .flags = TS_POSITIONAL,
+		.range = TS_NOT_NEGATIVE,
 		.help = "imbalance above which the blocks are changed; less than 1: always"),
 	CUTS("x", 0),
 	CUTS("y", 1),
 	CUTS("z", 2),
-	TS_SOME_KEYWORD("shift", struct ts_balance, shift, 0, .least = 3,
+	TS_SOME_KEYWORD("shift", struct ts_rank_balance, shift, 0, .least = 3,
 			.help = "the dimensions, such as xz, along which cuts are moved, the largest number "
 				"of "
 				"bisections for each, and the imbalance at which to stop"),
-	TS_FLAG("rcb", struct ts_balance, rcb, .help = "recursive bisection"),
-	TS_SOME_KEYWORD("weight", struct ts_balance, weight, TS_REPEAT, .least = 2,
+	TS_FLAG("rcb", struct ts_rank_balance, rcb, .help = "recursive bisection"),
+	TS_SOME_KEYWORD("weight", struct ts_rank_balance, weight, TS_REPEAT, .least = 2,
 			.help = "`group N group1 weight1 ...`, `neigh factor`, `time factor`, `var name` or "
 				"`store name`"),
-	TS_WORD("out", struct ts_balance, file, .flags = TS_OPTIONAL | TS_WRITES,
+	TS_WORD("out", struct ts_rank_balance, file, .flags = TS_OPTIONAL | TS_WRITES,
 		.help = "file for the corners of the blocks"),
 	TS_ARGS_END,
 };
@@ -119,7 +120,7 @@ const struct ts_command_style ts_command_balance = {
 			   "balance 1.05 rcb weight group 1 bonded 3.0 weight neigh 0.8 out blocks.txt",
 		.cite = "M. J. Berger, S. H. Bokhari, IEEE Trans. Comput. C-36, 570 (1987): recursive bisection",
 		.args = args,
-		.state_size = sizeof(struct ts_balance),
+		.state_size = sizeof(struct ts_rank_balance),
 	},
 	.needs_box = true,
 	.run = run,

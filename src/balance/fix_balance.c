@@ -1,5 +1,5 @@
 /* Fix balance: changes the blocks of ranks during runs. */
-#include "balance/balance.h"
+#include "balance/rank_balance.h"
 #include "io/textfile.h"
 #include "particle/columns.h"
 
@@ -8,7 +8,7 @@
 #include "base/banned.h"
 
 struct state {
-	struct ts_balance balance;
+	struct ts_rank_balance balance;
 	int64_t every;
 	int64_t done; /* step of the last attempt; saved, since it says when properties get their weights */
 	bool read;

@@ -131,8 +131,8 @@ static void search_cuts(const struct ts_rank_points *points, int d, struct searc
 			for (int j = 0; j <= n; j++)
 				total += load[j];
 			for (int j = 0; j < n; j++)
-				s[j].target =
-					(int64_t)((double)total * (j + 1) / (n + 1)); /* of the present order */
+				s[j].target = (int64_t)((double)total * (j + 1) /
+							(n + 1)); /* of the present order */
 		}
 		done = true;
 		if (are_even(load, n + 1, stop)) {
@@ -232,8 +232,7 @@ static void set_extents_of_space(const struct ts_rank_blocks *blocks, struct par
 {
 	for (int d = 0; d < 3; d++) {
 		const struct ts_rank_side below = ts_rank_blocks_side(blocks, part->first, d);
-		const struct ts_rank_side above =
-			ts_rank_blocks_side(blocks, part->first + part->n - 1, d);
+		const struct ts_rank_side above = ts_rank_blocks_side(blocks, part->first + part->n - 1, d);
 
 		part->lo[d] = below.face[0];
 		part->hi[d] = above.face[1];
@@ -319,8 +318,8 @@ static void go_to_halves(struct bisection *b)
 		int32_t of = b->of[i];
 
 		if (of >= 0)
-			b->of[i] = (int32_t)b->sums[2 * of +
-						    (b->points->x[i][old[of].dim] >= old[of].cut.best)];
+			b->of[i] =
+				(int32_t)b->sums[2 * of + (b->points->x[i][old[of].dim] >= old[of].cut.best)];
 	}
 	b->part = b->next;
 	b->next = old;

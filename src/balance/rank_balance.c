@@ -1,4 +1,4 @@
-#include "balance/balance.h"
+#include "balance/rank_balance.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -15,7 +15,7 @@
 
 /* ---- words */
 
-static enum ts_status fail_at(struct tsim *sim, const struct ts_balance *b, const struct ts_word *word,
+static enum ts_status fail_at(struct tsim *sim, const struct ts_rank_balance *b, const struct ts_word *word,
 			      const char *expected)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, &word->place, "%s: found '%s', expected %s", b->what,
@@ -23,7 +23,7 @@ static enum ts_status fail_at(struct tsim *sim, const struct ts_balance *b, cons
 }
 
 /* uniform, or numbers between 0 and 1 in ascending order. */
-static enum ts_status read_cuts(struct ts_balance *b, struct tsim *sim, int d)
+static enum ts_status read_cuts(struct ts_rank_balance *b, struct tsim *sim, int d)
 {
 	double last = 0, x;
 
@@ -43,7 +43,7 @@ static enum ts_status read_cuts(struct ts_balance *b, struct tsim *sim, int d)
 	return TS_OK;
 }
 
-static enum ts_status read_dimensions(struct ts_balance *b, struct tsim *sim, const struct ts_word *word)
+static enum ts_status read_dimensions(struct ts_rank_balance *b, struct tsim *sim, const struct ts_word *word)
 {
 	bool seen[3] = { 0 };
 
@@ -60,7 +60,7 @@ static enum ts_status read_dimensions(struct ts_balance *b, struct tsim *sim, co
 	return TS_OK;
 }
 
-static enum ts_status read_shift(struct ts_balance *b, struct tsim *sim, const struct ts_place *where)
+static enum ts_status read_shift(struct ts_rank_balance *b, struct tsim *sim, const struct ts_place *where)
 {
 	const struct ts_word *word = b->shift.word;
 
@@ -77,7 +77,7 @@ static enum ts_status read_shift(struct ts_balance *b, struct tsim *sim, const s
 	return TS_OK;
 }
 
-enum ts_status ts_balance_read(struct ts_balance *b, struct tsim *sim, const struct ts_place *where)
+enum ts_status ts_balance_read(struct ts_rank_balance *b, struct tsim *sim, const struct ts_place *where)
 {
 	bool cuts = false;
 
@@ -94,7 +94,7 @@ enum ts_status ts_balance_read(struct ts_balance *b, struct tsim *sim, const str
 	return ts_weights_parse(&b->weights, sim, b->what, b->weight);
 }
 
-void ts_balance_release(struct ts_balance *b)
+void ts_balance_release(struct ts_rank_balance *b)
 {
 	ts_weights_release(&b->weights);
 	ts_rank_blocks_release(&b->alone);
@@ -102,7 +102,7 @@ void ts_balance_release(struct ts_balance *b)
 
 /* ---- blocks */
 
-enum ts_status ts_balance_blocks(struct ts_balance *b, struct tsim *sim, struct ts_rank_blocks **blocks)
+enum ts_status ts_balance_blocks(struct ts_rank_balance *b, struct tsim *sim, struct ts_rank_blocks **blocks)
 {
 	static const int one[3] = { 1, 1, 1 };
 	static const bool closed[3] = { false, false, false };
@@ -115,8 +115,8 @@ enum ts_status ts_balance_blocks(struct ts_balance *b, struct tsim *sim, struct 
 }
 
 /* All parts of the grid get the given cuts along d. */
-static enum ts_status set_cuts(const struct ts_balance *b, struct tsim *sim, struct ts_rank_blocks *blocks,
-			       int d)
+static enum ts_status set_cuts(const struct ts_rank_balance *b, struct tsim *sim,
+			       struct ts_rank_blocks *blocks, int d)
 {
 	int n = blocks->count[d], k[3] = { 0 };
 
@@ -140,8 +140,9 @@ static enum ts_status set_cuts(const struct ts_balance *b, struct tsim *sim, str
 	return TS_OK;
 }
 
-static enum ts_status shift_cuts(const struct ts_balance *b, struct tsim *sim, struct ts_rank_blocks *blocks,
-				 const struct ts_rank_points *points, int *iterations)
+static enum ts_status shift_cuts(const struct ts_rank_balance *b, struct tsim *sim,
+				 struct ts_rank_blocks *blocks, const struct ts_rank_points *points,
+				 int *iterations)
 {
 	struct ts_rank_load load;
 
@@ -174,7 +175,7 @@ static enum ts_status bisect(struct tsim *sim, struct ts_rank_blocks *blocks,
 }
 
 /* Whether there are cuts that the words can move. */
-static bool can_change(const struct ts_balance *b, const struct ts_rank_blocks *blocks)
+static bool can_change(const struct ts_rank_balance *b, const struct ts_rank_blocks *blocks)
 {
 	bool can = b->rcb || blocks->bisection;
 
@@ -185,7 +186,7 @@ static bool can_change(const struct ts_balance *b, const struct ts_rank_blocks *
 	return can;
 }
 
-static enum ts_status change_blocks(const struct ts_balance *b, struct tsim *sim,
+static enum ts_status change_blocks(const struct ts_rank_balance *b, struct tsim *sim,
 				    struct ts_rank_blocks *blocks, const struct ts_rank_points *points,
 				    int *iterations)
 {
@@ -214,7 +215,7 @@ static void round_weights(struct tsim *sim, const double *weight, int64_t *round
 		rounded[i] = (int64_t)fmax(1, nearbyint(weight[i] / *unit));
 }
 
-static enum ts_status weigh(struct ts_balance *b, struct tsim *sim, const struct ts_rank_blocks *blocks,
+static enum ts_status weigh(struct ts_rank_balance *b, struct tsim *sim, const struct ts_rank_blocks *blocks,
 			    struct ts_rank_points *points, double *unit)
 {
 	double *weight = ts_alloc(points->n, sizeof *weight);
@@ -230,7 +231,7 @@ static enum ts_status weigh(struct ts_balance *b, struct tsim *sim, const struct
 	return status;
 }
 
-static enum ts_status balance(struct ts_balance *b, struct tsim *sim, struct ts_rank_blocks *blocks,
+static enum ts_status balance(struct ts_rank_balance *b, struct tsim *sim, struct ts_rank_blocks *blocks,
 			      const struct ts_rank_points *points, struct ts_balance_result *result)
 {
 	struct ts_rank_load load;
@@ -250,7 +251,7 @@ static enum ts_status balance(struct ts_balance *b, struct tsim *sim, struct ts_
 	return TS_OK;
 }
 
-enum ts_status ts_balance_apply(struct ts_balance *b, struct tsim *sim, const struct ts_place *where,
+enum ts_status ts_balance_apply(struct ts_rank_balance *b, struct tsim *sim, const struct ts_place *where,
 				struct ts_balance_result *result)
 {
 	const struct ts_particles *p = sim->particles;

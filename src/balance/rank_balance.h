@@ -1,12 +1,12 @@
 /* What the command and the fix balance have in common: their words, and the change of the blocks of ranks. */
-#ifndef TS_BALANCE_BALANCE_H
-#define TS_BALANCE_BALANCE_H
+#ifndef TS_BALANCE_RANK_BALANCE_H
+#define TS_BALANCE_RANK_BALANCE_H
 
 #include "balance/weights.h"
 #include "rank/blocks.h"
 
 /* After the threshold: words of the argument table; and what they mean. */
-struct ts_balance {
+struct ts_rank_balance {
 	const char *what; /* for messages */
 	double threshold;
 	struct ts_words cuts[3], shift, weight;
@@ -28,19 +28,20 @@ struct ts_balance_result {
 };
 
 /* Reads the words; fails where they are wrong. */
-enum ts_status ts_balance_read(struct ts_balance *balance, struct tsim *sim, const struct ts_place *where);
+enum ts_status ts_balance_read(struct ts_rank_balance *balance, struct tsim *sim,
+			       const struct ts_place *where);
 /* Weighs the particles; where the imbalance is larger than the threshold the blocks are changed: for the next division, or the
  * exchange of this rebuild. With ranks all call it. */
-enum ts_status ts_balance_apply(struct ts_balance *balance, struct tsim *sim, const struct ts_place *where,
-				struct ts_balance_result *result);
-void ts_balance_release(struct ts_balance *balance);
+enum ts_status ts_balance_apply(struct ts_rank_balance *balance, struct tsim *sim,
+				const struct ts_place *where, struct ts_balance_result *result);
+void ts_balance_release(struct ts_rank_balance *balance);
 
 /* The corners of the blocks, as LAMMPS writes them. */
 struct ts_textfile;
 enum ts_status ts_balance_write(struct ts_textfile *file, const struct tsim *sim,
 				const struct ts_rank_blocks *blocks);
 /* The blocks that ts_balance_apply changes. */
-enum ts_status ts_balance_blocks(struct ts_balance *balance, struct tsim *sim,
+enum ts_status ts_balance_blocks(struct ts_rank_balance *balance, struct tsim *sim,
 				 struct ts_rank_blocks **blocks);
 
 #endif
