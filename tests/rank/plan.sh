@@ -66,7 +66,7 @@ for scene in bed gas fluid; do
 		report "$scene: plan of $n ranks" $? out
 		awk -v most="$(number 'particles ' 3)" -v copies="$(number copies 1)" -v messages="$(number messages 1)" \
 			-v bytes="$(number bytes 1)" '
-			/^Ranks:/ { differ += most != $(NF - 2) ? 1 : 0; print "most", most, $(NF - 2) }
+			/^Ranks:/ { differ += most != $(NF - 4) ? 1 : 0; print "most", most, $(NF - 4) }
 			/^Of the first rank:/ {
 				if (FILENAME == "two") { m = 2 * $5; b = 2 * $7; next }
 				m = (12 * $5 - m) / 10; b = (12 * $7 - b) / 10
