@@ -167,6 +167,31 @@ for scene in look glued; do
 done
 same 'bonds of particles' one.dump many.dump
 
+# The main example: seeding, settling, bonds, a bit in a fluid that carries cuttings out.
+drilling() {
+	"$@" "$TSIM" -in "$top_srcdir/examples/drilling/in.drilling" -log drilling.log -screen none -var out "$folder" \
+		-var depth 60 -var T 8 -var land 1 >out 2>&1 </dev/null
+	report "drilling: $folder" $? out
+	grep '^STUDY' drilling.log >"$folder/study"
+}
+folder=drill.one
+drilling timeout 300
+for n in 2 4; do
+	folder=drill.many
+	rm -rf "$folder"
+	drilling on_ranks $n
+	[ -s drill.many/study ] && diff -rq -x '*.restart' drill.one drill.many >out
+	report "drilling: the same files on $n ranks" $? out
+done
+
+# What a formula of the fluid reads is known in steps, when each rank has its own particles only.
+sed 's/^variable speed.*/variable speed equal 0.02*ke(all)/' "$scenes/in.duct" >in.reads
+refused 'a moving wall whose speed depends on particles' "in.reads:20:27: error: 'ke' is needed in each step" \
+	-explain -ranks 3 -in in.reads -var out x
+sed 's/^variable pull.*/variable pull equal 20*count(all)/' "$scenes/in.duct" >in.reads
+refused 'a body force that depends on particles' "in.reads:19:24: error: 'count' is needed in each step" \
+	-explain -ranks 3 -in in.reads -var out x
+
 # Errors: in the script, and of one rank in a step.
 printf 'units lj\nnonsense 1\n' >in.wrong
 ranks 3 -in in.wrong -log none
