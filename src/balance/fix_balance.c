@@ -26,7 +26,7 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
 	if (!ts_weights_have_variables(&s->balance.weights))
 		return TS_OK;
 	snprintf(name, sizeof name, "balance_%s", self->id);
-	TS_TRY(ts_particles_add_column(sim, name, 1, 0, &s->balance.weights.column));
+	TS_TRY(ts_particles_add_column(sim, name, 1, TS_COL_RESULT, &s->balance.weights.column));
 	return ts_particles_column_initial(sim, s->balance.weights.column, &one);
 }
 

@@ -139,7 +139,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!sim->world)
 		return TS_OK;
 	snprintf(name, sizeof name, "bonds_%s", self->id);
-	TS_TRY(ts_particles_add_column(sim, name, 1, 0, &s->column));
+	TS_TRY(ts_particles_add_column(sim, name, 1, TS_COL_RESULT, &s->column));
 	return show_rows(self, sim);
 }
 
