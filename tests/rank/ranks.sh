@@ -185,15 +185,15 @@ for n in 2 4; do
 done
 
 # What a formula of the fluid reads is known in steps, when each rank has its own particles only.
-# reads_all WHAT VARIABLE FORMULA: the duct with a variable that reads particles is refused before the run
+# reads_all WHAT VARIABLE FORMULA MESSAGE: the duct with a variable that reads particles is refused before the run
 reads_all() {
 	sed "s/^variable $2.*/variable $2 equal $3/" "$scenes/in.duct" >in.reads
 	"$TSIM" -explain -ranks 3 -in in.reads -log none -var out x >out 2>&1
-	[ $? != 0 ] && grep -q "in.reads:[0-9:]*: error: '${3%%(*}' is needed in each step" out
+	[ $? != 0 ] && grep -q "in.reads:[0-9:]*: error: $4" out
 	report "$1" $? out
 }
-reads_all 'a moving wall whose speed depends on particles' speed 'ke(all)'
-reads_all 'a body force that depends on particles' pull 'count(all)'
+reads_all 'a moving wall whose speed depends on particles' speed 'ke(all)' "'ke' is needed in each step"
+reads_all 'a body force that depends on particles' pull 'count(all)' "flow projection: 'v_pull' is a value that depends on all particles"
 
 # Errors: in the script, and of one rank in a step.
 printf 'units lj\nnonsense 1\n' >in.wrong
