@@ -230,7 +230,8 @@ enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, str
 				void *base);
 
 /* Appends "stiffness 20000 restitution 0.8 ...": the resolved values of all rows, given or default, with
- * as many digits as give the same numbers again. For the fingerprint of runs and for restart files. */
+ * as many digits as give the same numbers again. For the fingerprint of runs and for restart files: without the names of files
+ * that are written, which may be others in a continued run. */
 void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base, struct ts_str *out);
 
 /* Appends only the value, " 20000", or " yes" for a flag that is set; false if the argument is absent. */

@@ -144,7 +144,7 @@ void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const voi
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)base + row->offset;
 
-		if (is_absent(row, field))
+		if (row->flags & TS_WRITES || is_absent(row, field))
 			continue;
 		if (!(row->flags & TS_POSITIONAL))
 			ts_str_addf(out, " %s", row->name);

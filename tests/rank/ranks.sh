@@ -91,6 +91,7 @@ resumed "$scenes/in.warm" 200 200 "$lines|bond_|special_bonds"
 resumed "$top_srcdir/tests/decks/in.clumps" 250 350 "$lines|region[[:space:]]+top"
 resumed "$scenes/in.mill" 610 590 "$lines"
 resumed "$scenes/in.sorted" 420 280 "$lines|region[[:space:]]+(part|lower|middle|ball)"
+resumed "$scenes/in.sieve" 213 387 "$lines"
 resumed "$scenes/in.waves" 420 280 "$lines|region[[:space:]]+(tray|lump|paddle|low)"
 resumed in.insertion 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 
