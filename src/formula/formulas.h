@@ -26,6 +26,7 @@ struct ts_formulas {
 	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
 	size_t nwaiting, waiting_capacity;
 	struct ts_map waiting_at; /* by name: index into `waiting` from 1, until restored */
+	bool doubts_words;   /* -explain: words of variables that are open are unknown, not only numbers */
 	const char *unknown; /* -check: name of the last unknown value that was substituted into a line */
 };
 

@@ -205,7 +205,8 @@ enum ts_status ts_variable_text(struct ts_formulas *formulas, struct ts_variable
 			       "variable '%s' (style %s) has a value for each particle and cannot be put "
 			       "into a line",
 			       variable->name, variable->style->name);
-	if (variable->open && variable->style->number && ts_unknown_read(formulas, variable->name)) {
+	if (variable->open && (variable->style->number || formulas->doubts_words) &&
+	    ts_unknown_read(formulas, variable->name)) {
 		ts_unknown_add(formulas->sim, out, "%g", NAN);
 		return TS_OK;
 	}

@@ -61,6 +61,10 @@ enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, boo
 /* The same for a text written at `where`. */
 enum ts_status ts_substitute_text(struct ts_script *script, const char *text, const struct ts_place *where,
 				  struct ts_str *out);
+/* The same for a text that is not executed: what is printed, or compared. Variables that contain words are unknown there, too,
+ * if they were set in a branch of which it is unknown whether it is taken; commands get the words, which may be names of styles. */
+enum ts_status ts_substitute_shown(struct ts_script *script, const char *text, const struct ts_place *where,
+				   struct ts_str *out);
 
 /* condition.c: checks the syntax of the arguments of `if`: conditions, `then`, commands. */
 enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where);

@@ -209,3 +209,15 @@ enum ts_status ts_substitute_text(struct ts_script *script, const char *text, co
 	ts_line_release(&line);
 	return status;
 }
+
+enum ts_status ts_substitute_shown(struct ts_script *script, const char *text, const struct ts_place *where,
+				   struct ts_str *out)
+{
+	bool before = script->formulas.doubts_words;
+	enum ts_status status;
+
+	script->formulas.doubts_words = true;
+	status = ts_substitute_text(script, text, where, out);
+	script->formulas.doubts_words = before;
+	return status;
+}

@@ -71,7 +71,7 @@ static enum ts_status run_print(struct tsim *sim, void *state, const struct ts_p
 	enum ts_status status;
 
 	TS_TRY(ts_script_of(sim, where, &script));
-	status = ts_substitute_text(script, print->text, ts_script_place(script, 1, where), &text);
+	status = ts_substitute_shown(script, print->text, ts_script_place(script, 1, where), &text);
 	if (status == TS_OK && print->screen)
 		print_text(sim, ts_str_text(&text));
 	if (status == TS_OK)

@@ -268,6 +268,35 @@ report '-explain goes the same way' $? err
 grep -q '^All runs together: at least .*that depend on results are unknown' out && grep -q '^there are (unknown), 1/n = (unknown)' out
 report '-explain says what it does not know' $? out
 
+# a verdict on an unknown value is unknown, and so is what follows from it; one on a known value is known
+cat >verdict.in <<'END'
+include head.in
+variable value equal ke
+variable one equal 1
+variable verdict string off
+if "abs(${value}-1) <= 0.1" then "variable verdict string ok"
+print "RESULT energy ${value:%.6g} 1 0.1 ${verdict}"
+if "${verdict} == ok" then "variable all string fine" else "variable all string poor"
+print 'and all is ${all}'
+variable verdict string off
+if "abs(${one}-1) <= 0" then "variable verdict string ok"
+print "RESULT one ${one} 1 0 ${verdict}"
+if "${value} > 1e9" then "print more" elif "${all} == fine" "variable verdict string off"
+print "RESULT both ${verdict}"
+variable verdict string off
+print "RESULT set ${verdict}"
+END
+"$TSIM" -explain -in verdict.in -log none >out 2>err
+report 'verdicts' $? err
+grep -E '^(RESULT|and)' out >lines
+printf '%s\n' 'RESULT energy (unknown) 1 0.1 (unknown)' 'and all is (unknown)' 'RESULT one 1 1 0 ok' 'RESULT both (unknown)' 'RESULT set off' >expected
+same 'verdicts on unknown values' expected lines
+"$TSIM" -in verdict.in -log none >out 2>err
+grep -E '^(RESULT|and)' out >lines
+sed -i 's/energy [^ ]*/energy/' lines
+printf '%s\n' 'RESULT energy 1 0.1 off' 'and all is poor' 'RESULT one 1 1 0 ok' 'RESULT both ok' 'RESULT set off' >expected
+same 'verdicts of a run' expected lines
+
 # all branches are checked by what they name, too; what one takes away may be there
 check branches.in <<END
 include head.in
