@@ -5,6 +5,7 @@ reads a page: the contents from the lists of doc/index.md and doc/styles/index.m
 the text names, entries of the index, formulas (```math, and $`...`$ in a line). HTML has formulas as MathML, made by
 pandoc, which browsers typeset themselves; nothing is fetched from the network.
 """
+import json
 import os
 import re
 import shutil
@@ -335,6 +336,16 @@ def tables_for_latex(app, tree, name):
             addnodes.tabular_col_spec(spec=columns)])
 
 
+# ---- excerpts of the search in a book that is opened as a file: browsers do not let it fetch its pages (static/book.js)
+
+def texts_for_search(app, failed):
+    if app.builder.format != "html" or failed:
+        return
+    texts = {name: re.sub(r"\s+", " ", app.env.get_doctree(name).astext()) for name in sorted(app.env.found_docs)}
+    with open(os.path.join(app.outdir, "searchtexts.js"), "w", encoding="utf-8") as out:
+        out.write("window.searchTexts = " + json.dumps(texts, ensure_ascii=False, indent=0) + ";\n")
+
+
 def setup(app):
     app.names = Names(app.srcdir)
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_display, None))
@@ -342,6 +353,7 @@ def setup(app):
     app.connect("doctree-read", pictures_for_latex)
     app.connect("doctree-resolved", tables_for_latex)
     app.connect("doctree-resolved", formulas_of_page)
+    app.connect("build-finished", texts_for_search)
 
 
 html_math_renderer = "mathml"

@@ -26,6 +26,8 @@ grep -q '<math' good/page.html && grep -q '<mfrac>' good/page.html
 report 'formulas are MathML' $? good/page.html
 grep -q 'href="styles/fix_gravity.html"' good/page.html
 report 'a style that is named is a link' $? good/page.html
+grep -q '^"styles/fix_gravity": "fix gravity ' good/searchtexts.js && grep -q '^"page": "Page As fix gravity does' good/searchtexts.js
+report 'the search has the texts of all pages' $? good/searchtexts.js
 printf '\nSee [nothing](nothing.md).\n' >>small/page.md
 ! book small bad
 report 'a dead link is an error' $? log

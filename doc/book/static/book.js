@@ -1,5 +1,5 @@
 /* A button for light and dark, whose choice is kept; the contents beside a page show where it is, and are closed on a narrow
-   screen. */
+   screen; a search in a book that is opened as a file has excerpts. */
 (function () {
 	const root = document.documentElement;
 	const kept = (() => { try { return localStorage.getItem("theme"); } catch { return null; } })();
@@ -21,6 +21,27 @@
 		const here = [...box.querySelectorAll("li.current")].pop();
 		if (here && here.offsetTop > innerHeight) side.scrollTop = here.offsetTop - innerHeight / 2;
 	}
+	/* Sphinx's search fetches the pages found and shows a part of their main text. Files cannot be fetched, but a script can
+	   bring all texts. */
+	let texts;
+	function load() {
+		return texts ??= new Promise((done) => {
+			const script = document.createElement("script");
+
+			script.src = "searchtexts.js";
+			script.onload = script.onerror = () => done(window.searchTexts || {});
+			document.head.append(script);
+		});
+	}
+	if (location.protocol === "file:")
+		window.fetch = async (address) => {
+			const all = await load();
+			const main = document.createElement("div");
+
+			main.setAttribute("role", "main");
+			main.textContent = all[address.replace(/^\.\/|\.html$/g, "")] || "";
+			return { text: async () => main.textContent && main.outerHTML };
+		};
 	document.addEventListener("DOMContentLoaded", () => {
 		contents();
 		const button = document.createElement("button");
