@@ -1075,6 +1075,8 @@ library_sources = \
 	src/neigh/neigh_skin.c \
 	src/neigh/order.c \
 	src/neigh/order.h \
+	src/neigh/runaways.c \
+	src/neigh/runaways.h \
 	src/neigh/touching_sums.c \
 	src/neigh/touching_sums.h \
 	src/particle/assign.c \

@@ -311,7 +311,7 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 		TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
 		TS_TRY(run_stage(plan, sim, TS_STAGE_FORWARD));
-	sim->run.rebuild = sim->run.relist = false;
+	sim->run.rebuild = sim->run.relist = sim->run.runaways = false;
 	TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
 	if (sim->division)
 		TS_TRY(ts_ranks_settle(plan, sim));
@@ -325,7 +325,7 @@ static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
 	ts_deferred_loops_run(sim);
 	sim->run.inside = sim->run.in_setup = sim->run.resuming = sim->run.rebuild = sim->run.relist =
-		sim->requests.saving = false;
+		sim->run.runaways = sim->requests.saving = false;
 	return status;
 }
 

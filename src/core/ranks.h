@@ -55,7 +55,8 @@ bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);
 bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim);
 /* When a step begins: whether all ranks do it with all particles. */
 bool ts_ranks_step_due(const struct tsim *sim);
-/* After CHECK: all ranks rebuild the contact list, end or save if one of them wants it. */
+/* After CHECK: all ranks rebuild the contact list, end, save, or look what runaways meet if one of them wants it. Hooks of
+ * CHECK do not decide by themselves whether to call what all ranks have to call: they set a flag that is agreed on here. */
 void ts_ranks_agree(struct tsim *sim);
 
 #endif

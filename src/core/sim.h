@@ -135,6 +135,7 @@ struct ts_run_state {
 	bool clamped;	     /* a live integrator limits the displacement of particles in a step */
 	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
 	bool relist;	     /* the contact list alone is to be rebuilt: no particle is deleted */
+	bool runaways;	     /* a particle has moved by more than its radius in this step */
 	bool looks;    /* all ranks have all particles for outputs, but each has lists of its own only */
 	bool apart;    /* with several ranks: formulas are evaluated that may read nothing of particles */
 	bool uneven;   /* some ranks have so many particles that all are to be divided again */

@@ -93,13 +93,23 @@ static void add_price(struct ts_str *text, const struct ts_price *price, int64_t
 		ts_str_add(text, "; particles that are still to be inserted are not included");
 }
 
+/* Whether fixes insert particles, or change the division. */
+static bool has_insertions(const struct ts_plan *plan)
+{
+	bool has = false;
+
+	for (size_t k = 0; k < plan->n[TS_STAGE_PRE_EXCHANGE]; k++)
+		has |= plan->actions[TS_STAGE_PRE_EXCHANGE][k].self->style->kind == TS_KIND_FIX;
+	return has;
+}
+
 static void print_price(const struct ts_plan *plan, struct tsim *sim, const struct ts_price *price,
 			int64_t steps)
 {
 	struct ts_str text = { 0 };
 
 	if (isfinite(price->seconds)) {
-		add_price(&text, price, steps, plan->n[TS_STAGE_PRE_EXCHANGE] > 0);
+		add_price(&text, price, steps, has_insertions(plan));
 		sim->cost.seconds += price->seconds * (double)steps + price->frames;
 		sim->cost.most += price->crowded * (double)steps + price->frames;
 	} else {

@@ -6,11 +6,14 @@
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "contact/pair.h"
+#include "core/ranks.h"
 #include "geom/spherehash.h"
 #include "impact/exact_impacts.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
 #include "neigh/neigh.h"
+#include "neigh/runaways.h"
+#include "particle/division.h"
 #include "particle/exchange.h"
 #include "particle/particles.h"
 #include "wall/wall.h"
@@ -94,9 +97,7 @@ static enum ts_status list_paths(struct tsim *sim, size_t fast, struct paths *pa
 
 	/* a bond may be longer than any reach */
 	*paths = (struct paths){ .listed = sim->neigh->wanted && !sim->bonds->n && fast >= MANY };
-	if (!interact(sim))
-		return TS_OK;
-	ts_neigh_radii(sim, &least, &largest);
+	ts_neigh_radii(sim, &least, &largest); /* of all ranks */
 	paths->reach = sim->neigh->wanted ? ts_pair_reach(sim, largest) : 0;
 	for (size_t i = 0; paths->listed && i < p->n; i++) {
 		double x[3];
@@ -108,43 +109,40 @@ static enum ts_status list_paths(struct tsim *sim, size_t fast, struct paths *pa
 	return TS_OK;
 }
 
-/* The partner of the lowest index that i hits. */
+/* The partner of the least identity that i hits. */
 struct partner {
 	const struct tsim *sim;
 	const struct paths *paths;
-	size_t i, found; /* SIZE_MAX: none */
+	size_t i;
+	double found; /* its identity; infinite: none */
 };
 
 static bool try_partner(void *context, size_t j)
 {
 	struct partner *s = context;
 
-	if (j != s->i && j < s->found && hits_other(s->sim, s->i, j, s->paths->reach))
-		s->found = j;
+	if (j != s->i && s->sim->particles->tag[j] < s->found && hits_other(s->sim, s->i, j, s->paths->reach))
+		s->found = s->sim->particles->tag[j];
 	return false;
 }
 
-static bool hits_particle(const struct tsim *sim, const struct paths *paths, size_t i, char *what,
-			  size_t room)
+static double find_partner(const struct tsim *sim, const struct paths *paths, size_t i)
 {
 	const struct ts_box *box = &sim->domain->box;
 	double radius = path_radius(sim, i) + paths->reach, x[3], image[3];
 	/* a path may end outside of the box, where the particle is wrapped at the next rebuild */
 	double far = radius + 3 * ts_spherehash_largest(&paths->sphere) + sim->neigh->built_skin;
-	struct partner s = { sim, paths, i, SIZE_MAX };
+	struct partner s = { sim, paths, i, INFINITY };
 
 	if (!interact(sim))
-		return false;
+		return INFINITY;
 	middle_of_path(sim, i, x);
 	for (int k = 0; paths->listed && k < 27; k++)
 		if (ts_box_image(box, x, k, far, image))
 			ts_spherehash_visit(&paths->sphere, image, radius, try_partner, &s);
-	for (size_t j = 0; !paths->listed && j < sim->particles->n && s.found == SIZE_MAX; j++)
+	for (size_t j = 0; !paths->listed && j < sim->particles->n; j++)
 		try_partner(&s, j);
-	if (s.found == SIZE_MAX)
-		return false;
-	snprintf(what, room, " past particle %d", sim->particles->tag[s.found]);
-	return true;
+	return s.found;
 }
 
 /* ---- surfaces: sphere tracing; the sphere advances by its gap to the surface until the gap vanishes or the
@@ -277,21 +275,105 @@ static bool leaves_box(const struct tsim *sim, size_t i, char *what, size_t room
 	return true;
 }
 
-enum ts_status ts_tunnelling_find(struct tsim *sim, const size_t *fast, size_t n, size_t *hit, char *what,
-				  size_t room)
-{
+/* ---- of all ranks */
+
+/* What the fast particles of all ranks meet. Walls, meshes and faces are the same on all of them: the rank of the particle looks
+ * at these. Others are met among the own particles and the fast ones. */
+struct search {
 	struct paths paths;
-	enum ts_status status = list_paths(sim, n, &paths);
+	size_t own;	 /* the particles from here on are of other ranks */
+	size_t *fast, n; /* indices */
+};
+
+static bool hits_boundary(struct tsim *sim, size_t i, char *what, size_t room)
+{
+	return hits_wall(sim, i, what, room) || hits_mesh(sim, i, what, room);
+}
+
+/* The fast particle of the least identity that hits anything; SIZE_MAX: none. */
+static size_t find_first(struct tsim *sim, const struct search *s)
+{
+	const int32_t *tag = sim->particles->tag;
+	double least = INFINITY;
+	char what[100];
+
+	for (size_t k = 0; k < s->n; k++) {
+		size_t i = s->fast[k];
+		bool own = i < s->own;
+
+		if (tag[i] < least && ((own && leaves_box(sim, i, what, sizeof what)) ||
+				       isfinite(find_partner(sim, &s->paths, i)) ||
+				       (own && hits_boundary(sim, i, what, sizeof what))))
+			least = tag[i];
+	}
+	least = -ts_ranks_most(sim, -least);
+	for (size_t k = 0; k < s->n; k++)
+		if (tag[s->fast[k]] == least)
+			return s->fast[k];
+	return SIZE_MAX;
+}
+
+static void find_hit(struct tsim *sim, const struct search *s, size_t *hit, char *what, size_t room)
+{
+	size_t first = find_first(sim, s);
+	double partner = first == SIZE_MAX ? INFINITY : find_partner(sim, &s->paths, first);
+
+	partner = -ts_ranks_most(sim, -partner);
+	what[0] = 0;
+	if (first == SIZE_MAX || first >= s->own)
+		return;
+	*hit = first;
+	if (leaves_box(sim, first, what, room))
+		return;
+	if (isfinite(partner))
+		snprintf(what, room, " past particle %d", (int)partner);
+	else
+		hits_boundary(sim, first, what, room);
+}
+
+static size_t list_fast(const struct tsim *sim, size_t *fast)
+{
+	double dt2 = sim->clock.dt * sim->clock.dt;
+	size_t n = 0;
+
+	for (size_t i = 0; i < sim->particles->n; i++)
+		if (ts_runaways_has(sim->particles, i, dt2))
+			fast[n++] = i;
+	return n;
+}
+
+/* Each rank gets the fast particles of the others; where there are bonds all, since a rank has not all bonds of its fast
+ * particles, nor the velocities of their ends. */
+static enum ts_status show_fast(struct tsim *sim)
+{
+	double dt2 = sim->clock.dt * sim->clock.dt;
+	const struct ts_particles *p = sim->particles;
+	bool bonds = ts_ranks_most(sim, (double)sim->bonds->n) > 0;
+	unsigned char *chosen = ts_alloc(p->n, 1);
+	enum ts_status status = chosen ? TS_OK : ts_nomem(&sim->error);
+
+	for (size_t i = 0; chosen && i < p->n; i++)
+		chosen[i] = ts_runaways_has(p, i, dt2);
+	if (status == TS_OK)
+		status = ts_division_show(sim, bonds ? NULL : chosen);
+	ts_free(chosen);
+	return status;
+}
+
+enum ts_status ts_tunnelling_find(struct tsim *sim, size_t *hit, char *what, size_t room)
+{
+	struct search s = { .own = sim->particles->n };
+	enum ts_status status;
 
 	*hit = SIZE_MAX;
-	for (size_t k = 0; k < n && status == TS_OK && *hit == SIZE_MAX; k++) {
-		size_t i = fast[k];
-
-		what[0] = 0;
-		if (leaves_box(sim, i, what, room) || hits_particle(sim, &paths, i, what, room) ||
-		    hits_wall(sim, i, what, room) || hits_mesh(sim, i, what, room))
-			*hit = i;
-	}
-	ts_spherehash_release(&paths.sphere);
-	return status;
+	TS_TRY(show_fast(sim));
+	s.fast = ts_alloc(sim->particles->n, sizeof *s.fast);
+	s.n = s.fast ? list_fast(sim, s.fast) : 0;
+	status = s.fast ? list_paths(sim, s.n, &s.paths) : ts_nomem(&sim->error);
+	if (status == TS_OK)
+		find_hit(sim, &s, hit, what, room);
+	ts_spherehash_release(&s.paths.sphere);
+	ts_free(s.fast);
+	TS_TRY(status);
+	return ts_division_hide(sim);
 }

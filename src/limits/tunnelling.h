@@ -5,11 +5,10 @@
 
 #include "core/sim.h"
 
-/* The first of these particles, fast[0] to fast[n - 1], that has, or may have, something on the path v dt that it has just
- * moved: another particle with a different velocity, a wall, a mesh, a fixed face through which it has left the box.
- * *hit: its index; SIZE_MAX: none. `what`, of `room` bytes, describes it for a message: " past ...". All positions and
- * velocities are finite. Fails without memory. */
-enum ts_status ts_tunnelling_find(struct tsim *sim, const size_t *fast, size_t n, size_t *hit, char *what,
-				  size_t room);
+/* Of the particles of all ranks that have just moved by more than their radius, that of the least identity that has, or may have,
+ * something on its path v dt: another particle with a different velocity, a wall, a mesh, a fixed face through which it has
+ * left the box. *hit: its index on the rank that has it; else SIZE_MAX. `what`, of `room` bytes, describes it for a message:
+ * " past ...". All positions and velocities are finite. All ranks call it. Fails without memory. */
+enum ts_status ts_tunnelling_find(struct tsim *sim, size_t *hit, char *what, size_t room);
 
 #endif

@@ -17,6 +17,7 @@
 #include "neigh/contact_memory.h"
 #include "neigh/leaving.h"
 #include "neigh/order.h"
+#include "neigh/runaways.h"
 #include "particle/columns.h"
 #include "particle/division.h"
 #include "particle/exchange.h"
@@ -72,34 +73,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_leaving_init(sim);
 }
 
-/* Ends a run with diverging motion before anything more is written. */
-static enum ts_status fail_runaway(struct tsim *sim, size_t i, const char *past)
-{
-	struct ts_particles *p = sim->particles;
-	const double *v = p->v[i], *x = p->x[i];
-	double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-	struct ts_str contacts = { 0 };
-	bool finite = isfinite(speed) && isfinite(x[0] + x[1] + x[2]);
-	enum ts_status status;
-
-	describe_contacts(sim, i, &contacts);
-	status = ts_fail(&sim->error, TS_PHYSICS, NULL,
-			 "particle %d (type %d) %s at step %" PRId64
-			 "%s: position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; probable "
-			 "cause: %s",
-			 p->tag[i], p->type[i],
-			 finite ? "moves more than its radius in one step"
-				: "has a position or velocity that is not a number",
-			 sim->clock.step, past, x[0], x[1], x[2], v[0], v[1], v[2],
-			 contacts.length ? contacts.text : "none",
-			 contacts.length
-				 ? "the time step is too large for the stiffness, or particles overlapped "
-				   "when they were created"
-				 : "a force or a velocity that was set is too large for the time step");
-	ts_str_release(&contacts);
-	return status;
-}
-
 /* Limits beyond which a rebuild, or an error, is due. */
 struct check_limits {
 	const struct ts_particles *p;
@@ -109,34 +82,6 @@ struct check_limits {
 	double lo[3], hi[3]; /* see ts_exchange_limits */
 	long *beyond;	     /* number of particles beyond a limit */
 };
-
-static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
-{
-	const double *v = p->v[i], *x = p->x[i];
-	double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-
-	return !(v2 * dt2 <= p->radius[i] * p->radius[i]) || !isfinite(x[0] + x[1] + x[2]);
-}
-
-/* A particle that moves more than its radius in a step is allowed if it meets nothing. */
-static enum ts_status stop_runaways(struct tsim *sim, double dt2)
-{
-	const struct ts_particles *p = sim->particles;
-	size_t *fast = ts_alloc(p->n, sizeof *fast), n = 0, hit = SIZE_MAX;
-	enum ts_status status = fast ? TS_OK : ts_nomem(&sim->error);
-	char past[100] = "";
-
-	for (size_t i = 0; i < p->n && fast && hit == SIZE_MAX; i++) {
-		if (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])))
-			hit = i;
-		else if (runs_away(p, i, dt2))
-			fast[n++] = i;
-	}
-	if (n && hit == SIZE_MAX)
-		status = sim->neigh->callback.find_hit(sim, fast, n, &hit, past, sizeof past);
-	ts_free(fast);
-	return status == TS_OK && hit != SIZE_MAX ? fail_runaway(sim, hit, past) : status;
-}
 
 /* Counts the particles beyond a limit; without branches, as it runs in every step. */
 TS_CLONES
@@ -194,7 +139,25 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	sim->run.relist = nb->leaving_watched;
 	sim->run.rebuild |= !sim->run.relist;
-	return stop_runaways(sim, limits.dt2);
+	for (size_t i = 0; i < p->n && !sim->run.runaways; i++)
+		sim->run.runaways = ts_runaways_has(p, i, limits.dt2);
+	return TS_OK;
+}
+
+/* All ranks have agreed on whether there are any. */
+static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	return sim->run.runaways ? ts_runaways_stop(sim) : TS_OK;
+}
+
+/* A rank that breaks a bond knows alone that its list is to be rebuilt; the first one writes restart files. */
+static enum ts_status join(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_neigh *nb = self->state;
+
+	nb->stale = ts_ranks_most(sim, nb->stale) > 0;
+	return TS_OK;
 }
 
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
@@ -564,12 +527,14 @@ const struct ts_system_style ts_neigh_system = {
 		   .fingerprint = fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_CHECK] = check,
+			     [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
 			     [TS_STAGE_EXCHANGE] = exchange,
 			     [TS_STAGE_BUILD] = build,
 			     [TS_STAGE_FORWARD] = forward,
 			     [TS_STAGE_PRE_FORCE] = clear_forces },
 		   .defers = TS_DEFERS(CHECK),
 		   .plan = plan,
+		   .join = join,
 		   .carrier = &ts_carried_history,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, neigh),

@@ -34,10 +34,10 @@ struct ts_neigh_callbacks {
 	bool (*bonded)(const struct tsim *sim, int32_t tag_a, int32_t tag_b);
 	/* Whether a wall other than a mesh moves. */
 	bool (*walls_move)(const struct tsim *sim);
-	/* The first of these n particles, which have just moved by more than their radius, that may have met something
-	 * on its path; SIZE_MAX: none. `what`, of `room` bytes, describes it for a message: " past ...". */
-	enum ts_status (*find_hit)(struct tsim *sim, const size_t *fast, size_t n, size_t *hit, char *what,
-				   size_t room);
+	/* Of the particles that have just moved by more than their radius (neigh/runaways.h) that of the least identity that
+	 * may have met something on its path: *hit is its index, on the rank that has it; else SIZE_MAX. `what`, of `room`
+	 * bytes, describes it for a message: " past ...". All ranks call it. */
+	enum ts_status (*find_hit)(struct tsim *sim, size_t *hit, char *what, size_t room);
 	/* Reports the limits of the time step of the coupled contacts, walls and bonds. */
 	enum ts_status (*network)(struct ts_plan_report *report, struct tsim *sim);
 };

@@ -223,14 +223,22 @@ static enum ts_status append_particles(struct tsim *sim, const struct ts_parcel 
 	return TS_OK;
 }
 
-/* Appends the rows of all local particles. */
-static enum ts_status pack_particles(const struct ts_particles *p, struct ts_parcel *out)
+/* Appends the rows of the local particles with chosen[i]; NULL: of all. */
+static enum ts_status pack_particles(const struct ts_particles *p, const unsigned char *chosen,
+				     struct ts_parcel *out)
 {
-	size_t bytes = ts_copies_row_bytes(p);
-	unsigned char *to = ts_parcel_extend(out, p->n * bytes);
+	size_t bytes = ts_copies_row_bytes(p), n = 0;
+	unsigned char *to;
 
-	for (size_t i = 0; to && i < p->n; i++)
-		ts_copies_write(p, i, to + i * bytes);
+	for (size_t i = 0; i < p->n; i++)
+		n += !chosen || chosen[i];
+	to = ts_parcel_extend(out, n * bytes);
+	for (size_t i = 0; to && i < p->n; i++) {
+		if (chosen && !chosen[i])
+			continue;
+		ts_copies_write(p, i, to);
+		to += bytes;
+	}
 	return to ? TS_OK : TS_NOMEM;
 }
 
@@ -463,25 +471,26 @@ static enum ts_status save_ghosts(const struct ts_particles *p, struct ts_look *
 	return TS_OK;
 }
 
-static enum ts_status begin_look(struct tsim *sim, struct ts_division *d)
+enum ts_status ts_division_show(struct tsim *sim, const unsigned char *chosen)
 {
 	struct ts_parcel mine = { 0 }, others = { 0 };
-	enum ts_status status = save_ghosts(sim->particles, &d->look);
+	enum ts_status status;
 
+	if (!sim->division)
+		return TS_OK;
+	status = save_ghosts(sim->particles, &sim->division->look);
 	if (status == TS_OK)
-		status = pack_particles(sim->particles, &mine);
+		status = pack_particles(sim->particles, chosen, &mine);
 	if (status == TS_OK)
 		status = ts_world_share_others(sim->world, &mine, &others);
 	status = status == TS_OK ? append_particles(sim, &others) : ts_nomem(&sim->error);
 	ts_parcel_release(&mine);
 	ts_parcel_release(&others);
-	sim->run.looks = true;
 	return status;
 }
 
-static enum ts_status end_look(struct tsim *sim, struct ts_division *d)
+static enum ts_status restore_ghosts(struct tsim *sim, const struct ts_look *look)
 {
-	struct ts_look *look = &d->look;
 	struct ts_particles *p = sim->particles;
 
 	p->n = look->n;
@@ -491,8 +500,12 @@ static enum ts_status end_look(struct tsim *sim, struct ts_division *d)
 			       "columns of particles have changed while all ranks had all particles");
 	move_rows(p, look->columns, p->n, p->nghost, false, look->ghosts.data);
 	sim->generation++;
-	sim->run.looks = false;
 	return TS_OK;
+}
+
+enum ts_status ts_division_hide(struct tsim *sim)
+{
+	return sim->division ? restore_ghosts(sim, &sim->division->look) : TS_OK;
 }
 
 enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
@@ -503,7 +516,8 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 	d = sim->particles->division;
 	ts_deferred_loops_run(sim);
 	if (sim->run.looks) {
-		TS_TRY(end_look(sim, d));
+		TS_TRY(restore_ghosts(sim, &d->look));
+		sim->run.looks = false;
 		listen(sim, d);
 		sim->division = d;
 		return TS_OK;
@@ -518,7 +532,7 @@ static enum ts_status share_particles(struct tsim *sim, struct ts_division *d)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_parcel mine = { 0 }, all = { 0 };
-	enum ts_status status = pack_particles(p, &mine);
+	enum ts_status status = pack_particles(p, NULL, &mine);
 
 	if (status == TS_OK)
 		status = ts_world_share(sim->world, &mine, &all);
@@ -611,6 +625,7 @@ enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool l
 	d->gathered++;
 	if (blocks_are_uneven(sim, d) || sim->run.uneven || lists)
 		return gather_all(plan, sim, d);
-	TS_TRY(begin_look(sim, d));
+	TS_TRY(ts_division_show(sim, NULL));
+	sim->run.looks = true;
 	return leave_division(sim, d);
 }

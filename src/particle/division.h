@@ -47,6 +47,10 @@ struct ts_division {
 /* Slots of struct ts_tables. */
 enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool lists);
+/* While the particles are divided: appends those with chosen[i] (NULL: all) of the other ranks to the own ones of each rank, in
+ * the place of the ghosts, until ts_division_hide; all ranks call both. Else there is nothing to do. */
+enum ts_status ts_division_show(struct tsim *sim, const unsigned char *chosen);
+enum ts_status ts_division_hide(struct tsim *sim);
 /* Slot of the system of particles. */
 const char *ts_division_refused(const struct tsim *sim);
 void ts_division_free(struct ts_division *division);
