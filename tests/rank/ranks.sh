@@ -206,6 +206,40 @@ begin=$SECONDS
 ranks 4 -in in.lost -log none -var out many
 [ $? != 0 ] && [ "$(grep -c 'left the box through its fixed face' out)" = 1 ] && [ $((SECONDS - begin)) -lt 60 ]
 report 'an error of one rank ends all' $? out
+# A particle that moves more than its radius in a step: y is that of another one in its way, on another rank.
+fast() {
+	cat <<END
+units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.02 0.5 0.5 units box
+create_atoms 1 single 0.725 $1 0.5 units box
+create_atoms 1 single 0.3 0.1 0.5 units box
+set group all diameter 0.02 density 1000
+group one id 1
+pair_style spring/dashpot
+pair_coeff * * stiffness 10 damping 0
+fix move all nve
+processors * 1 1
+velocity one set 51 0 0
+timestep 1e-3
+dump all all custom 5 \${out}.dump id x y z vx vy vz
+dump_modify all format float %.17g sort id
+run 100
+END
+}
+for n in 2 4; do
+	fast 0.53 >in.fast
+	"$TSIM" -in in.fast -log none -var out alone >out 2>&1 && ranks $n -in in.fast -log none -var out many &&
+		cmp alone.dump many.dump >>out
+	report "a fast particle that meets nothing, on $n ranks" $? out
+	fast 0.515 >in.fast
+	"$TSIM" -in in.fast -log none -var out alone >alone 2>&1
+	ranks $n -in in.fast -log none -var out many
+	grep -q 'particle 1 .* past particle 2:' alone && [ "$(grep 'error:' out)" = "$(grep 'error:' alone)" ]
+	report "a fast particle that meets one of another rank, on $n ranks" $? out
+done
 printf 'print "read $(2*21)"\n' | on_ranks 3 "$TSIM" -log none >out 2>&1
 [ "$(grep -c 'read 42' out)" = 1 ]
 report 'a script from the standard input' $? out
