@@ -5,8 +5,9 @@
 #   seconds  test                           quick tests of the same subject
 #     120    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
-#      60    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
-#      60    rank/contract_ranks.sh         rank/contract.sh
+#      80    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
+#      10    rank/balance.sh                rank/check_loads
+#     180    rank/contract_ranks.sh         rank/contract.sh
 #      30    rank/soak.sh                   rank/contract.sh
 #      20    rank/plan.sh                   rank/check_blocks
 #      27    core/check_alloc               none: each allocation fails once
