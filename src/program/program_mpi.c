@@ -1,7 +1,8 @@
+#include <string.h> /* also without MPI: a file must declare something */
+
 #ifdef TS_WITH_MPI
 #include "program/program_mpi.h"
 
-#include <string.h>
 #ifdef TS_MPI_FILE
 #include <dlfcn.h>
 #endif
