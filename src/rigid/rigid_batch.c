@@ -245,39 +245,40 @@ TS_CLONES static void begin_batch(struct tsim *sim, size_t from, size_t n)
 	set_all_members(sim, &l, from, n, true);
 }
 
-/* Half kick with the new forces. */
-TS_CLONES static void end_batch(struct tsim *sim, size_t from, size_t n)
+TS_INLINE void load_with_forces(struct tsim *sim, size_t from, size_t n, struct lanes *l)
+{
+	load_bodies(sim->rigid, from, n, l);
+	set_matrices(l, n);
+	sum_all_forces(sim, from, n, l);
+}
+
+/* Half kick with the new forces; with `begin` also half kick and drift of the next step. */
+TS_INLINE void finish_batch(struct tsim *sim, size_t from, size_t n, bool begin)
 {
 	struct lanes l;
 
-	load_bodies(sim->rigid, from, n, &l);
-	set_matrices(&l, n);
-	sum_all_forces(sim, from, n, &l);
-	advance_lanes(&l, n, sim->clock.dt, false, false);
+	load_with_forces(sim, from, n, &l);
+	advance_lanes(&l, n, sim->clock.dt, begin, begin);
 	store_bodies(&l, from, n, sim->rigid);
-	set_all_members(sim, &l, from, n, false);
+	set_all_members(sim, &l, from, n, begin);
+}
+
+TS_CLONES static void end_batch(struct tsim *sim, size_t from, size_t n)
+{
+	finish_batch(sim, from, n, false);
 }
 
 /* Both, between which nobody looks at the members. */
 TS_CLONES static void end_and_begin_batch(struct tsim *sim, size_t from, size_t n)
 {
-	struct lanes l;
-
-	load_bodies(sim->rigid, from, n, &l);
-	set_matrices(&l, n);
-	sum_all_forces(sim, from, n, &l);
-	advance_lanes(&l, n, sim->clock.dt, true, true);
-	store_bodies(&l, from, n, sim->rigid);
-	set_all_members(sim, &l, from, n, true);
+	finish_batch(sim, from, n, true);
 }
 
 TS_CLONES static void sum_batch(struct tsim *sim, size_t from, size_t n)
 {
 	struct lanes l;
 
-	load_bodies(sim->rigid, from, n, &l);
-	set_matrices(&l, n);
-	sum_all_forces(sim, from, n, &l);
+	load_with_forces(sim, from, n, &l);
 }
 
 /* Bodies are stored in the order of their ids, but processed in the order of their members in memory. */
