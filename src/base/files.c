@@ -458,7 +458,7 @@ void *ts_files_list(struct ts_files *files, const char *folder)
 	int descriptor;
 
 	if (ts_peers(files)) /* after what the first one has written so far */
-		ts_peers_agree(files->peers, 0);
+		ts_peers_agree(files->peers, "list", 0);
 	if (!ts_files_closed(files))
 		return opendir(folder);
 	descriptor = entry_open(files, folder, true, ACCESS_STAT, &e);
@@ -487,10 +487,42 @@ int ts_files_stat(struct ts_files *files, const char *path, struct stat *out)
 	return entry_close(&e, result);
 }
 
+static bool is_link(const char *path)
+{
+	struct ts_str name = { 0 }, target = { 0 };
+	bool is = ts_files_resolve_name(path, &name) != 0 || ts_files_resolve(path, &target) != 0 ||
+		  !ts_streq(ts_str_text(&name), ts_str_text(&target));
+
+	ts_str_release(&name);
+	ts_str_release(&target);
+	return is;
+}
+
+bool ts_files_is_link(const struct ts_files *files, const char *path)
+{
+	if (ts_peers(
+		    files)) /* another one may look at the path when the first one is about to make the file */
+		return ts_peers_agree(files->peers, "is_link", files->peers->first && is_link(path)) != 0;
+	return is_link(path);
+}
+
+int64_t ts_files_length(const struct ts_files *files, FILE *file)
+{
+	struct stat info;
+	int64_t length = -1;
+	int descriptor = fileno(file);
+
+	if (descriptor >= 0 && fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode))
+		length = info.st_size;
+	if (ts_peers(files))
+		ts_peers_agree_on(files->peers, "length", 0, &length, sizeof length);
+	return length;
+}
+
 bool ts_files_may_make_in(const struct ts_files *files, const char *folder)
 {
 	if (ts_peers(files))
-		return ts_peers_agree(files->peers, access(folder, W_OK | X_OK)) == 0;
+		return ts_peers_agree(files->peers, "access", access(folder, W_OK | X_OK)) == 0;
 	return ts_files_closed(files) || access(folder, W_OK | X_OK) == 0;
 }
 
@@ -500,7 +532,7 @@ int ts_files_make_folder(struct ts_files *files, const char *path)
 	int result;
 
 	if (ts_peers(files))
-		return ts_peers_agree(files->peers, files->peers->first ? mkdir(path, 0777) : 0);
+		return ts_peers_agree(files->peers, "mkdir", files->peers->first ? mkdir(path, 0777) : 0);
 	if (!ts_files_closed(files))
 		return mkdir(path, 0777);
 	result = entry_open(files, path, false, ACCESS_WRITE, &e);
@@ -524,14 +556,14 @@ static int unlink_entry(struct ts_files *files, const char *path, int flags)
 int ts_files_remove(struct ts_files *files, const char *path)
 {
 	if (ts_peers(files))
-		return ts_peers_agree(files->peers, files->peers->first ? unlink(path) : 0);
+		return ts_peers_agree(files->peers, "unlink", files->peers->first ? unlink(path) : 0);
 	return ts_files_closed(files) ? unlink_entry(files, path, 0) : unlink(path);
 }
 
 int ts_files_remove_folder(struct ts_files *files, const char *path)
 {
 	if (ts_peers(files))
-		return ts_peers_agree(files->peers, files->peers->first ? rmdir(path) : 0);
+		return ts_peers_agree(files->peers, "rmdir", files->peers->first ? rmdir(path) : 0);
 	return ts_files_closed(files) ? unlink_entry(files, path, AT_REMOVEDIR) : rmdir(path);
 }
 
@@ -541,7 +573,7 @@ int ts_files_move(struct ts_files *files, const char *from, const char *to)
 	int result;
 
 	if (ts_peers(files))
-		return ts_peers_agree(files->peers, files->peers->first ? rename(from, to) : 0);
+		return ts_peers_agree(files->peers, "rename", files->peers->first ? rename(from, to) : 0);
 	if (!ts_files_closed(files))
 		return rename(from, to);
 	result = entry_open(files, from, false, ACCESS_WRITE, &old);
@@ -559,8 +591,10 @@ int ts_files_chdir(struct ts_files *files, const char *folder)
 	struct entry e;
 	int result, at = -1;
 
-	if (!ts_files_closed(files))
-		return chdir(folder);
+	if (!ts_files_closed(files)) {
+		result = chdir(folder);
+		return ts_peers(files) ? ts_peers_agree(files->peers, "chdir", result) : result;
+	}
 	result = entry_open(files, folder, true, ACCESS_STAT, &e);
 	if (result == 0)
 		result = at = openat(e.folder, e.name, O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -578,7 +612,7 @@ int ts_files_sync(struct ts_files *files, const char *path, FILE *file)
 	int descriptor, result;
 
 	if (ts_peers(files))
-		return ts_peers_agree(files->peers, files->peers->first ? fsync(fileno(file)) : 0);
+		return ts_peers_agree(files->peers, "fsync", files->peers->first ? fsync(fileno(file)) : 0);
 	if (!ts_files_closed(files))
 		return fsync(fileno(file));
 	descriptor = open_within(files, path, "r");
@@ -595,21 +629,21 @@ int ts_files_sync_folder(struct ts_files *files, const char *folder)
 
 	if (list)
 		closedir(list);
-	return ts_peers(files) ? ts_peers_agree(files->peers, result) : result;
+	return ts_peers(files) ? ts_peers_agree(files->peers, "fsync folder", result) : result;
 }
 
 double ts_files_free_space(struct ts_files *files, const char *path)
 {
 	struct stat info;
 	struct statvfs fs;
-	double space;
+	int result;
 
-	if ((ts_files_closed(files) && ts_files_stat(files, path, &info) != 0) || statvfs(path, &fs) != 0)
+	if (ts_files_closed(files) && ts_files_stat(files, path, &info) != 0)
 		return -1;
-	space = (double)fs.f_frsize * (double)fs.f_bavail;
+	result = statvfs(path, &fs);
 	if (ts_peers(files))
-		files->peers->spread(files->peers->data, &space, sizeof space);
-	return space;
+		result = ts_peers_agree_on(files->peers, "statvfs", result, &fs, sizeof fs);
+	return result == 0 ? (double)fs.f_frsize * (double)fs.f_bavail : -1;
 }
 
 /* ---- set-up and release */

@@ -27,6 +27,8 @@ struct ts_files_peers {
 	bool first; /* this is the one that reads and writes */
 	/* Copies the bytes of the first one to all; called by all in the same order. */
 	void (*spread)(void *data, void *bytes, size_t n);
+	/* Ends all: this process has called another function of files than the first one. */
+	void (*astray)(void *data, const char *called);
 	void *data;
 };
 
@@ -61,6 +63,10 @@ void *ts_files_open_gz_of(struct ts_files *files, const char *path, const char *
 FILE *ts_files_open_null(void);						       /* /dev/null */
 void *ts_files_list(struct ts_files *files, const char *folder);	       /* DIR */
 int ts_files_stat(struct ts_files *files, const char *path, struct stat *out); /* stat */
+/* Whether the last component is a symbolic link, or the path cannot be resolved. */
+bool ts_files_is_link(const struct ts_files *files, const char *path);
+/* Bytes of a regular file that was opened to be written; -1: none, as a device or a stream of the sandbox. */
+int64_t ts_files_length(const struct ts_files *files, FILE *file);
 /* Whether files may be created in the folder by its permissions; the sandbox may still refuse. */
 bool ts_files_may_make_in(const struct ts_files *files, const char *folder);
 int ts_files_make_folder(struct ts_files *files, const char *path);

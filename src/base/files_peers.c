@@ -6,17 +6,39 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "base/hash.h"
+
 #include "base/banned.h"
 
 enum { PIECE = 1 << 16 };
 
-int ts_peers_agree(const struct ts_files_peers *peers, int result)
-{
-	int both[2] = { result, errno };
+/* What the first one says. */
+struct answer {
+	int result, code;
+	uint64_t called; /* hash */
+};
 
-	peers->spread(peers->data, both, sizeof both);
-	errno = both[1];
-	return both[0];
+int ts_peers_agree(const struct ts_files_peers *peers, const char *called, int result)
+{
+	struct ts_hash hash = ts_hash_start();
+	struct answer answer = { result, errno, 0 };
+
+	ts_hash_text(&hash, called);
+	answer.called = ts_hash_value(&hash);
+	peers->spread(peers->data, &answer, sizeof answer);
+	if (answer.called != ts_hash_value(&hash))
+		peers->astray(peers->data, called);
+	errno = answer.code;
+	return answer.result;
+}
+
+int ts_peers_agree_on(const struct ts_files_peers *peers, const char *called, int result, void *bytes,
+		      size_t n)
+{
+	result = ts_peers_agree(peers, called, result);
+	if (result == 0)
+		peers->spread(peers->data, bytes, n);
+	return result;
 }
 
 static ssize_t read_piece(int from, char *piece)
@@ -52,7 +74,7 @@ int ts_peers_copy(const struct ts_files_peers *peers, int from)
 	bool written = to >= 0;
 
 	do {
-		n = ts_peers_agree(peers, peers->first ? (int)read_piece(from, piece) : 0);
+		n = ts_peers_agree(peers, "read", peers->first ? (int)read_piece(from, piece) : 0);
 		if (n > 0)
 			peers->spread(peers->data, piece, (size_t)n);
 		if (n > 0 && written)
@@ -71,7 +93,7 @@ int ts_peers_descriptor(const struct ts_files_peers *peers, const char *path)
 {
 	int from = peers->first ? open(path, O_RDONLY | O_CLOEXEC) : -1;
 
-	if (ts_peers_agree(peers, from) < 0)
+	if (ts_peers_agree(peers, "open to read", from) < 0)
 		return -1;
 	return ts_peers_copy(peers, from);
 }
@@ -80,7 +102,7 @@ static FILE *open_to_write(const struct ts_files_peers *peers, const char *path,
 {
 	FILE *file = peers->first ? fopen(path, mode) : fopen("/dev/null", "w");
 
-	if (ts_peers_agree(peers, file ? 0 : -1) == 0)
+	if (ts_peers_agree(peers, "open to write", file ? 0 : -1) == 0)
 		return file;
 	if (file)
 		fclose(file);
@@ -105,10 +127,7 @@ int ts_peers_stat(const struct ts_files_peers *peers, const char *path, struct s
 {
 	int result = peers->first ? stat(path, out) : 0;
 
-	result = ts_peers_agree(peers, result);
-	if (result == 0)
-		peers->spread(peers->data, out, sizeof *out);
-	return result;
+	return ts_peers_agree_on(peers, "stat", result, out, sizeof *out);
 }
 
 int ts_peers_apart(struct ts_files *files, int (*act)(void *data), void *data)
@@ -126,5 +145,6 @@ int ts_peers_by_first(struct ts_files *files, int (*act)(void *data), void *data
 {
 	if (!ts_peers(files))
 		return act(data);
-	return ts_peers_agree(files->peers, files->peers->first ? ts_peers_apart(files, act, data) : 0);
+	return ts_peers_agree(files->peers, "act",
+			      files->peers->first ? ts_peers_apart(files, act, data) : 0);
 }

@@ -10,8 +10,11 @@ static inline bool ts_peers(const struct ts_files *files)
 	return files && files->peers;
 }
 
-/* The result of the first one. */
-int ts_peers_agree(const struct ts_files_peers *peers, int result);
+/* The result of the first one, and its errno. `called`: what all call now; a process that calls something else ends all. */
+int ts_peers_agree(const struct ts_files_peers *peers, const char *called, int result);
+/* The same; if the result is 0, all get the bytes of the first one as well. */
+int ts_peers_agree_on(const struct ts_files_peers *peers, const char *called, int result, void *bytes,
+		      size_t n);
 /* The first one opens the file. The others get a copy of its bytes, or what they write is discarded. */
 FILE *ts_peers_open(const struct ts_files_peers *peers, const char *path, const char *mode);
 /* Of a file to read; -1. */

@@ -51,8 +51,11 @@ static void cut_incomplete_line(struct ts_textfile *file, const char *path)
 		end--;
 	if (old)
 		fclose(old);
-	if (end < file->whole && ftruncate(fileno(file->file), (off_t)end) == 0)
-		file->whole = end;
+	if (end == file->whole)
+		return;
+	if (ftruncate(fileno(file->file), (off_t)end) != 0)
+		errno = 0; /* the line stays; of several processes only the first one has the file */
+	file->whole = ts_files_length(file->files, file->file);
 }
 
 /* Appending to a .gz file is refused if its compressed data are cut off. */
@@ -92,26 +95,15 @@ static enum ts_status begin_gz(struct ts_textfile *file)
 	return ts_nomem(file->err);
 }
 
-/* A symbolic link would be replaced by a file. */
-static bool is_link(const char *path)
-{
-	struct ts_str name = { 0 }, target = { 0 };
-	bool is = ts_files_resolve_name(path, &name) != 0 || ts_files_resolve(path, &target) != 0 ||
-		  !ts_streq(ts_str_text(&name), ts_str_text(&target));
-
-	ts_str_release(&name);
-	ts_str_release(&target);
-	return is;
-}
-
-/* Whether the file is none yet, or one that may be replaced by another. */
+/* Whether the file is none yet, or one that may be replaced by another: a symbolic link stays. */
 static bool replaceable(struct ts_textfile *file, const char *path)
 {
 	struct stat info;
 
 	if (ts_files_stat(file->files, path, &info) != 0)
-		return errno == ENOENT && !is_link(path);
-	return S_ISREG(info.st_mode) && info.st_nlink == 1 && info.st_mode & S_IWUSR && !is_link(path);
+		return errno == ENOENT && !ts_files_is_link(file->files, path);
+	return S_ISREG(info.st_mode) && info.st_nlink == 1 && info.st_mode & S_IWUSR &&
+	       !ts_files_is_link(file->files, path);
 }
 
 static enum ts_status open_replacing(struct ts_textfile *file, struct tsim *sim, const char *path)
@@ -126,17 +118,13 @@ static enum ts_status open_replacing(struct ts_textfile *file, struct tsim *sim,
 static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *sim, const char *path,
 				  bool append)
 {
-	struct stat info;
-
 	file->file = sim->reading.explain ? ts_files_open_null()
 					  : ts_files_open(file->files, path, append ? "a" : "w");
 	if (!file->file)
 		return errno ? ts_textfile_write_failed(file->err, file->files, &file->where, path)
 			     : ts_nomem(file->err);
 	setvbuf(file->file, NULL, _IONBF, 0);
-	file->whole = -1;
-	if (fileno(file->file) >= 0 && fstat(fileno(file->file), &info) == 0 && S_ISREG(info.st_mode))
-		file->whole = info.st_size;
+	file->whole = ts_files_length(sim->reading.explain ? NULL : file->files, file->file);
 	if (file->gz && append && file->whole > 0)
 		return check_gz(file, path);
 	if (append && file->whole > 0 && ts_ends_with(path, ".csv"))

@@ -39,9 +39,23 @@ static void spread_bytes(void *data, void *bytes, size_t n)
 	ts_world_spread(data, 0, bytes, n);
 }
 
+static void end_astray(void *data, const char *called)
+{
+	struct ts_world *world = data;
+	char text[128];
+
+	snprintf(text, sizeof text,
+		 "tsim: internal error: rank %d calls '%s' of files while the first rank calls something "
+		 "else\n",
+		 world->rank, called);
+	ts_program_ranks_fail(world, text);
+}
+
 struct ts_files_peers ts_program_ranks_files(struct ts_world *world)
 {
-	return (struct ts_files_peers){ .first = world->rank == 0, .spread = spread_bytes, .data = world };
+	return (struct ts_files_peers){
+		.first = world->rank == 0, .spread = spread_bytes, .astray = end_astray, .data = world
+	};
 }
 
 #ifndef TS_WITH_MPI

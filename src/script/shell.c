@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/files_peers.h"
 #include "base/mkdirs.h"
 #include "core/ranks.h"
 #include "script/internal.h"
@@ -61,25 +62,34 @@ static enum ts_status report_change(struct tsim *sim, const char *what, const st
 	return sim->script_api->would_write(sim->script_api_data, &word->place, what, word->text);
 }
 
-/* Refuses a file outside of the working folder. Symbolic links in the path are resolved, but not the file
- * itself, which is removed or moved as a link. */
+/* A file, and the folder where tsim was started. */
+struct place_of_file {
+	const char *path, *home;
+};
+
+/* Whether a file is known to lie outside of the folder. Symbolic links in the path are resolved, but not the file itself,
+ * which is removed or moved as a link. A file that does not exist cannot be changed. */
+static int lies_outside(void *data)
+{
+	const struct place_of_file *file = data;
+	struct ts_str path = { 0 };
+	bool known = ts_files_resolve_name(file->path, &path) == 0;
+	bool missing = !known && (errno == ENOENT || errno == ENOTDIR);
+	bool below = known && ts_files_below(ts_str_text(&path), file->home) &&
+		     !ts_streq(ts_str_text(&path), file->home);
+
+	ts_str_release(&path);
+	return !below && !missing;
+}
+
 static enum ts_status require_below_home(struct ts_script *script, const char *what,
 					 const struct ts_word *word)
 {
-	struct ts_error *err = &script->sim->error;
-	struct ts_str path = { 0 };
-	bool below, known;
+	struct place_of_file file = { word->text, script->home };
 
-	if (script->programs)
+	if (script->programs || !ts_peers_by_first(&script->sim->files, lies_outside, &file))
 		return TS_OK;
-	known = ts_files_resolve_name(word->text, &path) == 0;
-	below = known && ts_files_below(ts_str_text(&path), script->home) &&
-		!ts_streq(ts_str_text(&path), script->home);
-	known |= errno != ENOENT && errno != ENOTDIR;
-	ts_str_release(&path);
-	if (below || !known) /* a file that does not exist cannot be changed */
-		return TS_OK;
-	return ts_fail(err, TS_STATE, &word->place,
+	return ts_fail(&script->sim->error, TS_STATE, &word->place,
 		       "shell %s '%s': this is not below '%s', where tsim was started; files elsewhere are "
 		       "removed and moved only with the option -shell yes",
 		       what, word->text, script->home);

@@ -143,6 +143,28 @@ for n in 2 3; do
 	same "a lost particle is told once by $n ranks" left.one left.many
 done
 
+# Files that are there are appended to: an incomplete last line is ended, in a table cut off.
+printf '%s\n' 'units lj' 'atom_style sphere' 'boundary f f f' 'newton off' 'region box block 0 9 0 9 0 9' 'create_box 1 box' 'lattice sc 1.1' \
+	'create_atoms 1 box' 'set group all diameter 1.0 density 1.0' 'velocity all set 1 0 0' 'fix 1 all nve/sphere' 'timestep 0.0001' 'variable t equal step' \
+	'compute s all reduce sum vx' 'fix a all ave/time 1 1 10 c_s append x.mean' 'fix p all print 10 "at $t" append x.print screen no' \
+	'dump d all custom 10 x.dump id x' 'dump_modify d append yes' 'dump c all custom 10 x.csv id x' 'dump_modify c append yes' \
+	'dump z all custom 10 x.dump.gz id x' 'dump_modify z append yes' 'run 20' >in.append
+rm -rf appended.*
+for n in 1 2 3; do
+	mkdir appended.$n
+	for file in mean print dump csv; do
+		printf cut >appended.$n/x.$file
+	done
+	for again in 1 2; do
+		(cd appended.$n && on_ranks $n "$TSIM" -in ../in.append -log none >../out 2>&1 </dev/null)
+		report "appending to files, time $again, $n ranks" $? out
+	done
+	diff -r appended.1 appended.$n >out
+	report "files that were appended to by $n ranks" $? out
+done
+[ "$(grep -c '^at ' appended.3/x.print)" = 4 ]
+report 'both runs have appended' $? appended.3/x.print
+
 # Pressure and numbers of bonds are summed before all ranks look at the particles: no contacts are gathered for them.
 gathers='s/.*all gathered \([0-9]*\) times, \([0-9]*\) of them with contacts.*/\1 \2/p'
 sed '/^dump/d; s/^thermo 100/thermo 20/; s/^run 600/run 200/; /^run 300/d' "$scenes/in.bed" >in.look
