@@ -79,7 +79,7 @@ resumed() {
 }
 lines='newton|neighbor|neigh_modify|communicate|fix|pair|timestep|compute|variable|thermo|dump|print'
 resumed "$scenes/in.bed" 400 500 "$lines"
-resumed "$scenes/in.drum" 600 600 "$lines"
+resumed "$scenes/in.drum" 400 400 "$lines"
 sed '/energy\/ledger/d' "$top_srcdir/tests/decks/in.insertion" >in.insertion
 grep -Ev '^dump (bl|bs|bb|pg)|^compute (bl|bp|pgl)' "$scenes/in.rock" >in.block
 resumed in.block 300 300 "$lines|bond_|special_bonds"
@@ -89,7 +89,7 @@ resumed "$scenes/in.bodies" 420 380 "$lines"
 # Fix heat/gran and the bonds, which have damping, add their columns of particles in another order after read_restart.
 resumed "$scenes/in.warm" 200 200 "$lines|bond_|special_bonds"
 resumed "$top_srcdir/tests/decks/in.clumps" 250 350 "$lines|region[[:space:]]+top"
-resumed "$scenes/in.mill" 610 590 "$lines"
+resumed "$scenes/in.mill" 410 390 "$lines"
 resumed "$scenes/in.sorted" 420 280 "$lines|region[[:space:]]+(part|lower|middle|ball)"
 resumed "$scenes/in.sieve" 213 387 "$lines"
 resumed "$scenes/in.waves" 420 280 "$lines|region[[:space:]]+(tray|lump|paddle|low)"
