@@ -121,18 +121,6 @@ static int open_output(struct tsim *sim, struct ts_setup *setup)
 	return ts_streq(log, "none") ? 0 : tsim_log(sim, log);
 }
 
-static void report_text(void *data, const char *text)
-{
-	struct tsim *sim = data;
-
-	ts_log_progress(&sim->log, "");
-	fflush(stdout);
-	fputs(text, stderr);
-	ts_log_file(&sim->log, "%s", text);
-	if (sim->world && sim->log.file)
-		fflush(sim->log.file);
-}
-
 /* With several ranks an error ends all of them here; a request to stop, which all have agreed on, does not. */
 static void report_error(struct tsim *sim)
 {
@@ -141,7 +129,7 @@ static void report_error(struct tsim *sim)
 	if (sim->world && sim->error.status != TS_STOPPED)
 		ts_program_ranks_fail(sim->world, text);
 	else if (ts_ranks_first(sim))
-		report_text(sim, text);
+		ts_log_fatal(&sim->log, text);
 }
 
 static void print_cost(struct tsim *sim)
@@ -461,7 +449,7 @@ int main(int argc, char **argv)
 		sim->world = world;
 		peers = ts_program_ranks_files(world);
 		sim->files.peers = &peers;
-		ts_program_ranks_listen(world, report_text, sim);
+		ts_program_ranks_listen(world, &sim->log);
 	}
 	sim->log.echo_file = true;
 	sim->log.patience = PATIENCE;

@@ -160,6 +160,16 @@ void ts_log_progress(struct ts_log *log, const char *text)
 	fflush(log->screen);
 }
 
+void ts_log_fatal(struct ts_log *log, const char *text)
+{
+	ts_log_progress(log, "");
+	fflush(stdout);
+	fputs(text, stderr);
+	ts_log_file(log, "%s", text);
+	if (log->file)
+		fflush(log->file);
+}
+
 bool ts_log_shows_progress(const struct ts_log *log)
 {
 	return log->progress && log->screen && !log->quiet &&

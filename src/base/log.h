@@ -41,6 +41,8 @@ void ts_log_setting(struct ts_log *log, const char *line);
 /* Prints "file:line: warning: ..." to screen and log. place may be NULL. */
 void ts_warn(struct ts_log *log, const struct ts_place *place, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
+/* Prints an error that ends the program to standard error and to the log file, which is complete afterwards. */
+void ts_log_fatal(struct ts_log *log, const char *text);
 /* Replaces the progress line of a terminal; an empty text removes it. */
 void ts_log_progress(struct ts_log *log, const char *text);
 /* Whether a run shows its progress now: on a terminal, where nothing else has been printed for a while or is

@@ -7,16 +7,6 @@
 
 #include "base/banned.h"
 
-static void report_text(void *data, const char *text)
-{
-	struct tsim *sim = data;
-
-	fputs(text, stderr);
-	ts_log_file(&sim->log, "%s", text);
-	if (sim->log.file)
-		fflush(sim->log.file);
-}
-
 /* Whether nothing has been done with the simulation that the others might not have done. */
 static bool is_new(const struct tsim *sim)
 {
@@ -42,7 +32,7 @@ int tsim_mpi_join(struct tsim *sim, const void *communicator)
 	sim->library->peers = ts_program_ranks_files(world);
 	sim->library->leave = ts_program_ranks_leave;
 	sim->files.peers = &sim->library->peers;
-	ts_program_ranks_listen(world, report_text, sim);
+	ts_program_ranks_listen(world, &sim->log);
 	if (world->rank > 0) {
 		tsim_screen(sim, NULL);
 		tsim_on_log(sim, NULL, NULL);

@@ -99,11 +99,10 @@ void ts_program_ranks_fail(struct ts_world *world, const char *message)
 	(void)message;
 }
 
-void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data)
+void ts_program_ranks_listen(struct ts_world *world, struct ts_log *log)
 {
 	(void)world;
-	(void)report;
-	(void)data;
+	(void)log;
 }
 
 #else
@@ -122,9 +121,8 @@ struct mpi {
 	MPI_Comm all, trouble; /* trouble: messages of ranks that have failed */
 	MPI_Request *request;  /* [capacity] */
 	size_t capacity;
-	unsigned rounds; /* deliveries so far */
-	ts_program_report_fn *report;
-	void *report_data;
+	unsigned rounds;    /* deliveries so far */
+	struct ts_log *log; /* gets the message that ends all */
 };
 
 enum {
@@ -154,8 +152,8 @@ static void look_for_trouble(struct mpi *m)
 	m->mpi.Recv(text, n < MESSAGE ? n : MESSAGE, m->mpi.byte, status.MPI_SOURCE, 0, m->trouble,
 		    MPI_STATUS_IGNORE);
 	text[MESSAGE - 1] = '\0';
-	if (m->report)
-		m->report(m->report_data, text);
+	if (m->log)
+		ts_log_fatal(m->log, text);
 	abort_all(m);
 }
 
@@ -448,12 +446,11 @@ void ts_program_ranks_end(struct ts_world *world)
 	finalize();
 }
 
-void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data)
+void ts_program_ranks_listen(struct ts_world *world, struct ts_log *log)
 {
 	struct mpi *m = (struct mpi *)world;
 
-	m->report = report;
-	m->report_data = data;
+	m->log = log;
 }
 
 void ts_program_ranks_fail(struct ts_world *world, const char *message)
@@ -464,8 +461,8 @@ void ts_program_ranks_fail(struct ts_world *world, const char *message)
 	size_t n = strlen(message) + 1;
 
 	if (world->rank == 0) {
-		if (m->report)
-			m->report(m->report_data, message);
+		if (m->log)
+			ts_log_fatal(m->log, message);
 		abort_all(m);
 	}
 	m->mpi.Isend(message, (int)(n < MESSAGE ? n : MESSAGE), m->mpi.byte, 0, 0, m->trouble, &request);

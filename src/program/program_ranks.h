@@ -3,6 +3,7 @@
 #define TS_PROGRAM_RANKS_H
 
 #include "base/files.h"
+#include "base/log.h"
 #include "rank/world.h"
 
 /* The version of MPI by which there are ranks, or "no". */
@@ -16,11 +17,10 @@ void ts_program_ranks_end(struct ts_world *world);
  * points, NULL: MPI_COMM_WORLD; or NULL, and *why. */
 struct ts_world *ts_program_ranks_join(const void *communicator, const char **why);
 void ts_program_ranks_leave(struct ts_world *world);
-/* Ends all ranks with the first message that reaches the first one, which calls `report`; does not return. */
+/* Ends all ranks with the first message that reaches the first one, which prints it; does not return. */
 void ts_program_ranks_fail(struct ts_world *world, const char *message);
-/* What the first rank does with the message of another one. */
-typedef void ts_program_report_fn(void *data, const char *message);
-void ts_program_ranks_listen(struct ts_world *world, ts_program_report_fn *report, void *data);
+/* The log to which the first rank prints the message that ends all. */
+void ts_program_ranks_listen(struct ts_world *world, struct ts_log *log);
 /* Whether the first rank reads and writes all files. */
 struct ts_files_peers ts_program_ranks_files(struct ts_world *world);
 
