@@ -459,7 +459,9 @@ library_sources = \
 	src/energy/ledger.c \
 	src/energy/ledger.h \
 	src/energy/ledger_heat.c \
+	src/energy/ledger_journal.c \
 	src/energy/ledger_parts.c \
+	src/energy/ledger_ranks.c \
 	src/energy/ledger_values.c \
 	src/energy/ledger_work.c \
 	src/energy/potential_energy.c \

@@ -152,16 +152,15 @@ static bool any_type_softens(const struct ts_instance *self, const struct tsim *
 }
 
 /* The work that was lost in bonds that soften, in this step. */
-static double collect_lost(struct ts_bonds *b)
+static void collect_lost(const struct tsim *sim, struct ts_bonds *b)
 {
-	struct ts_exactsum sum = ts_exactsum_start();
-
+	b->flow = ts_exactsum_start();
 	for (size_t k = 0; k < b->n; k++)
 		if (b->lost[k] > 0) {
-			ts_exactsum_add(&sum, b->lost[k]);
+			if ((size_t)b->row[k][0] < sim->particles->n)
+				ts_exactsum_add(&b->flow, b->lost[k]);
 			b->lost[k] = 0;
 		}
-	return ts_exactsum_value(&sum);
 }
 
 /* Computes all bonds; returns how many break, some counted twice. */
@@ -188,13 +187,16 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 				  sim->bonds->transmits ? ts_orientation(sim) : NULL };
 	long broken;
 
-	if (!sim->bonds->n)
+	if (!sim->bonds->n) {
+		if (t.softens)
+			sim->bonds->flow = ts_exactsum_start();
 		return TS_OK;
+	}
 	if (sim->bonds->transmits)
 		TS_TRY(ts_bond_moments_fill(sim, t.moving, t.softens));
 	broken = compute_bonds(self, sim, &t);
 	if (t.softens)
-		sim->bonds->flow = collect_lost(sim->bonds);
+		collect_lost(sim, sim->bonds);
 	return broken ? ts_bonds_break(sim) : TS_OK;
 }
 
@@ -241,7 +243,7 @@ enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
 	const struct ts_bonds *bonds = sim->bonds;
 
 	TS_TRY(resize_coeffs(sim, self));
-	sim->bonds->flow = 0;
+	sim->bonds->flow = ts_exactsum_start();
 	for (size_t b = 0; b < bonds->n; b++)
 		if (!bond->coeffs.given[bonds->type[b]])
 			return ts_fail(&sim->error, TS_STATE, &self->where,

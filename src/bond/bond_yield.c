@@ -102,7 +102,7 @@ enum ts_status ts_bond_turn_and_yield(struct ts_instance *self, struct tsim *sim
 	struct yielding t = { sim, ts_bond_style_of(self), &((const struct ts_bond *)self->state)->coeffs,
 			      NULL };
 
-	bonds->flow = 0;
+	bonds->flow = ts_exactsum_start();
 	TS_TRY(ts_bond_turn(self, sim));
 	if (!any_yields(&t))
 		return TS_OK;
@@ -113,9 +113,12 @@ enum ts_status ts_bond_turn_and_yield(struct ts_instance *self, struct tsim *sim
 	if (!t.work)
 		return ts_nomem(&sim->error);
 	ts_parallel(ts_team(sim, bonds->n), bonds->n, yield_bonds, &t);
-	bonds->flow = ts_exactsum_of(t.work, bonds->n, 1);
-	if (bonds->flow != 0)
-		bonds->rows.filled = false;
+	for (size_t b = 0; b < bonds->n; b++) {
+		if (t.work[b] != 0)
+			bonds->rows.filled = false;
+		if ((size_t)bonds->row[b][0] < sim->particles->n)
+			ts_exactsum_add(&bonds->flow, t.work[b]);
+	}
 	ts_free(t.work);
 	return TS_OK;
 }

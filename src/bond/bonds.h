@@ -12,6 +12,7 @@
 #include "core/coeff.h"
 #include "core/sim.h"
 #include "law/bond_softening.h"
+#include "math/exactsum.h"
 #include "neigh/gather.h"
 
 /* Record of a bond that broke. */
@@ -70,7 +71,8 @@ struct ts_bonds {
 	bool softens;
 	bool shown;	       /* an output may read tensions at any step: they are stored in each step */
 	unsigned char *breaks; /* per bond: breaks in this step */
-	double flow;	       /* work lost in bonds that yield or soften, in this step */
+	/* work lost in bonds that yield or soften, in this step; of those whose first particle is one of this rank */
+	struct ts_exactsum flow;
 
 	struct ts_gather gather; /* bonds of each local particle */
 	/* the order in which bonds are computed: central springs by slices, bonds that transmit moments by rows */

@@ -294,6 +294,13 @@ static void fini(struct ts_instance *self)
 	ts_ledger_fini(self);
 }
 
+/* All ranks have the same values at the end of each step. */
+static bool is_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	(void)self, (void)sim;
+	return true;
+}
+
 static const struct ts_arg args[] = {
 	TS_INT("every", struct ledger, every, .range = TS_POSITIVE, .fallback = "1000",
 	       .help = "number of time steps between lines of the file"),
@@ -332,6 +339,10 @@ const struct ts_style ts_fix_energy_ledger = {
 	       "for details.",
 	.example = "fix books all energy/ledger every 100 file post/energy.txt tolerance 0.001",
 	.args = args,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.due = is_due,
+	.settle = ts_ledger_settle,
+	.join = ts_ledger_join,
 	.state_size = sizeof(struct ledger),
 	.archive = ts_ledger_archive,
 	.values = values,

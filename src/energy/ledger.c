@@ -9,6 +9,7 @@
 #include "core/sim.h"
 #include "math/quaternion.h"
 #include "particle/columns.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"
 #include "wall/wall.h"
@@ -126,9 +127,20 @@ static void store_forces(const struct tsim *sim, struct ts_ledger *l)
 		memcpy(l->torque, p->torque, p->n * sizeof *p->torque);
 }
 
+static enum ts_status post_clear(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				 const double *value)
+{
+	(void)sim, (void)entry, (void)value;
+	for (int k = 0; k < TS_NCONTACT_STORE; k++)
+		l->store[ts_ledger_store(TS_LEDGER_WALL, k)] = 0;
+	ts_ledger_heat_clear(l);
+	return TS_OK;
+}
+
 /* Before the force computation: the forces of the last step have done their work. */
 static enum ts_status clear_force_columns(struct tsim *sim, struct ts_ledger *l)
 {
+	const struct ts_ledger_entry clear = { .post = post_clear };
 	struct ts_particles *p = sim->particles;
 
 	for (size_t i = 0; i < p->n; i++) {
@@ -142,13 +154,10 @@ static enum ts_status clear_force_columns(struct tsim *sim, struct ts_ledger *l)
 		if (l->actor[a].pushes && p->n)
 			memset(p->column[l->actor[a].column].data, 0,
 			       p->n * TS_CAUSE_NUMBERS * sizeof(double));
-	for (int k = 0; k < TS_NCONTACT_STORE; k++)
-		l->store[ts_ledger_store(TS_LEDGER_WALL, k)] = 0;
 	l->notes = 0;
 	l->split = l->made = 1;
-	ts_ledger_heat_clear(l);
 	store_forces(sim, l);
-	return TS_OK;
+	return ts_ledger_enter(sim, l, &clear, NULL);
 }
 
 /* Forces on a rigid body as a whole are attributed to its first member: the force, and the torque that
@@ -168,8 +177,10 @@ static void add_external_forces_of_bodies(struct tsim *sim, struct ts_ledger *l,
 		ts_quaternion_matrix(rigid->body[b].q, m);
 		ts_rotate(m, p->body_x[i], arm);
 		ts_cross(arm, push, turn);
-		ts_axpy(1, push, to + TS_CAUSE_FORCE);
-		ts_axpy(-1, turn, to + TS_CAUSE_TORQUE);
+		if (i < p->n) {
+			ts_axpy(1, push, to + TS_CAUSE_FORCE);
+			ts_axpy(-1, turn, to + TS_CAUSE_TORQUE);
+		}
 		memcpy(l->body[b].external, rigid->body[b].external, sizeof push);
 	}
 }
@@ -208,7 +219,7 @@ static enum ts_status account_forces(struct tsim *sim, struct ts_ledger *l, stru
 	else if (l->actor[actor].pushes && sim->acted.stage > TS_STAGE_PRE_FORCE)
 		TS_TRY(add_force_differences(sim, l, actor));
 	if (sim->acted.stage > TS_STAGE_PRE_FORCE)
-		ts_ledger_heat_flux(sim, l, actor);
+		TS_TRY(ts_ledger_heat_flux(sim, l, actor));
 	store_forces(sim, l);
 	return TS_OK;
 }
@@ -222,18 +233,35 @@ static double sum_values(const double *value, size_t n)
 	return sum;
 }
 
-/* Updates the kinetic energy; its change is added to the account `book`. */
-static enum ts_status update_kinetic_energy(struct tsim *sim, struct ts_ledger *l,
-					    struct ts_compensated_sum *book)
+/* Where a change of the kinetic energy is booked. */
+enum book { NO_BOOK, BETWEEN_RUNS, OF_ACTOR };
+
+static enum ts_status post_kinetic(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				   const double *value)
 {
 	double before = l->kinetic[0] + l->kinetic[1];
+	struct ts_compensated_sum *book = entry->at == BETWEEN_RUNS ? &l->between : NULL;
+	size_t actor;
 
-	ts_ledger_kinetic(sim, l->kinetic);
+	if (entry->at == OF_ACTOR) {
+		TS_TRY(ts_ledger_actor(sim, l, entry->by, &actor));
+		book = &l->actor[actor].own;
+	}
+	memcpy(l->kinetic, value, sizeof l->kinetic);
 	if (book && l->open)
 		ts_compensated_add(book, l->kinetic[0] + l->kinetic[1] - before);
 	l->largest_energy =
 		fmax(l->largest_energy, l->kinetic[0] + l->kinetic[1] + sum_values(l->store, TS_NSTORE));
 	return TS_OK;
+}
+
+/* Updates the kinetic energy. */
+static enum ts_status update_kinetic_energy(struct tsim *sim, struct ts_ledger *l, enum book book)
+{
+	const struct ts_ledger_entry entry = { .post = post_kinetic, .at = book, .n = 2 };
+
+	TS_TRY(ts_ledger_kinetic(sim, l, l->own_kinetic));
+	return ts_ledger_enter(sim, l, &entry, l->own_kinetic);
 }
 
 static bool velocities_changed(const struct tsim *sim, const struct ts_ledger *l)
@@ -282,7 +310,7 @@ static enum ts_status begin_run(struct tsim *sim, struct ts_ledger *l)
 	l->stepping = l->made = l->already_accounted = false;
 	memcpy(l->store_before, l->store, sizeof l->store);
 	if (l->open)
-		TS_TRY(update_kinetic_energy(sim, l, &l->between));
+		TS_TRY(update_kinetic_energy(sim, l, BETWEEN_RUNS));
 	return store_seen_velocities(sim, l);
 }
 
@@ -338,19 +366,43 @@ static enum ts_status account_late_forces(struct tsim *sim, struct ts_ledger *l)
 	return TS_OK;
 }
 
-/* Outside the kick stages any change of velocities or masses is a direct change by the acting style. */
-static enum ts_status account_direct_changes(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
+/* Whether the last action has deleted particles; with several ranks others may have them now. */
+static bool particles_deleted(const struct tsim *sim, const struct ts_ledger *l)
 {
-	size_t n = l->n, actor;
+	if (!l->stepping)
+		return false;
+	if (sim->division)
+		return sim->acted.stage == TS_STAGE_EXCHANGE && sim->particles->lost != l->lost;
+	return sim->particles->n < l->n;
+}
 
-	if (!velocities_changed(sim, l) &&
-	    !(by->style->kind == TS_KIND_FIX && sim->acted.stage == TS_STAGE_POST_INTEGRATE))
+/* Outside the kick stages any change of velocities or masses is a direct change by the acting style. With several ranks
+ * those that see none wait, too, for what the others have seen. */
+static enum ts_status account_direct_changes(struct tsim *sim, struct ts_ledger *l,
+					     const struct ts_instance *by)
+{
+	bool deleted = particles_deleted(sim, l),
+	     changed = deleted || velocities_changed(sim, l) ||
+		       (by->style->kind == TS_KIND_FIX && sim->acted.stage == TS_STAGE_POST_INTEGRATE);
+	const struct ts_ledger_entry entry = { .post = post_kinetic,
+					       .by = by,
+					       .at = l->stepping ? OF_ACTOR : BETWEEN_RUNS,
+					       .n = 2,
+					       .maybe = true,
+					       .counts = changed };
+
+	if (!changed && !sim->division)
 		return TS_OK;
-	TS_TRY(ts_ledger_actor(sim, l, by, &actor));
-	TS_TRY(update_kinetic_energy(sim, l, l->stepping ? &l->actor[actor].own : &l->between));
-	if (l->stepping && sim->particles->n < n)
+	if (deleted && sim->division)
+		TS_TRY(ts_ledger_find_deleted(sim, l));
+	if (deleted && by->style == &ts_rigid_system.style)
+		ts_ledger_drop_bodies(l);
+	if (changed)
+		TS_TRY(ts_ledger_kinetic(sim, l, l->own_kinetic));
+	TS_TRY(ts_ledger_enter(sim, l, &entry, l->own_kinetic));
+	if (deleted)
 		TS_TRY(ts_ledger_account_removed(sim, l));
-	return store_seen_velocities(sim, l);
+	return changed ? store_seen_velocities(sim, l) : TS_OK;
 }
 
 /* Accounts the kicks of the last stage. */
@@ -362,8 +414,23 @@ static enum ts_status account_pending_kicks(struct tsim *sim, struct ts_ledger *
 	if (due == NOTHING_DUE || !l->open)
 		return TS_OK;
 	TS_TRY(ts_ledger_account_kicks(sim, l, due == TS_STAGE_FINAL_INTEGRATE));
-	TS_TRY(update_kinetic_energy(sim, l, NULL));
+	TS_TRY(update_kinetic_energy(sim, l, NO_BOOK));
 	return store_seen_velocities(sim, l);
+}
+
+static enum ts_status begin_stage_of_ranks(struct tsim *sim, struct ts_ledger *l)
+{
+	int stage = sim->acted.stage;
+
+	/* all particles have come since the forces were computed, in a step in which they were divided */
+	if (stage == TS_STAGE_END_OF_STEP && !sim->division)
+		store_forces(sim, l);
+	if (stage == TS_STAGE_EXCHANGE && sim->division)
+		return ts_ledger_before_exchange(sim, l);
+	if (stage != TS_STAGE_INITIAL_INTEGRATE || !l->relisted)
+		return TS_OK;
+	l->relisted = false;
+	return ts_ledger_note_contacts(sim, l);
 }
 
 static enum ts_status begin_stage(struct tsim *sim, struct ts_ledger *l)
@@ -375,8 +442,10 @@ static enum ts_status begin_stage(struct tsim *sim, struct ts_ledger *l)
 	TS_TRY(account_pending_kicks(sim, l));
 	TS_TRY(allocate_particle_arrays(sim, l));
 	l->stepping |= stage == TS_STAGE_INITIAL_INTEGRATE;
+	if (sim->world)
+		TS_TRY(begin_stage_of_ranks(sim, l));
 	if (l->stepping && stage == TS_STAGE_PRE_FORCE)
-		ts_ledger_heat_update(sim, l);
+		TS_TRY(ts_ledger_heat_update(sim, l));
 	if (stage == TS_STAGE_FORCE)
 		TS_TRY(ts_ledger_store_pair_history(sim, l));
 	if (stage == TS_STAGE_POST_FORCE)
@@ -395,14 +464,14 @@ enum ts_status ts_ledger_watch(struct ts_instance *self, struct tsim *sim)
 	int stage = sim->acted.stage;
 	size_t actor;
 
+	if (sim->world && sim->particles->division && sim->particles->division->rebuilding)
+		return by || stage != TS_STAGE_BUILD ? TS_OK : ts_ledger_share_bonds(sim, l);
 	if (!by)
 		return begin_stage(sim, l);
 	if (l->due != NOTHING_DUE) {
 		TS_TRY(ts_ledger_actor(sim, l, by, &actor));
 		ts_ledger_mark_kicked(sim, l, actor);
-		if (stage == TS_STAGE_FINAL_INTEGRATE)
-			ts_ledger_heat_advance(sim, l, by, actor);
-		return TS_OK;
+		return stage == TS_STAGE_FINAL_INTEGRATE ? ts_ledger_heat_advance(sim, l, by, actor) : TS_OK;
 	}
 	if (stage == TS_STAGE_PRE_FORCE && by->style == &ts_neigh_system.style)
 		return clear_force_columns(sim, l);
@@ -419,7 +488,21 @@ enum ts_status ts_ledger_finish_step(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(account_pending_kicks(sim, l));
 	l->newest = sim->particles->max_tag;
-	return TS_OK;
+	return ts_ledger_post(sim, l);
+}
+
+/* While the particles are divided, before some or all ranks get all of them: what is done at the end of the step. */
+enum ts_status ts_ledger_settle(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_ledger *l = self->state;
+
+	TS_TRY(account_pending_kicks(sim, l));
+	return account_late_forces(sim, l);
+}
+
+enum ts_status ts_ledger_join(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_ledger_post(sim, self->state);
 }
 
 /* A run that continues with the forces of the last step: accounts the elastic energy of existing
@@ -498,9 +581,9 @@ enum ts_status ts_ledger_setup(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(l->split ? account_existing_contacts(sim, l) : account_unknown_forces(sim, l));
 	l->already_accounted = false;
 	l->newest = sim->particles->max_tag;
-	TS_TRY(update_kinetic_energy(sim, l, &l->between));
+	TS_TRY(update_kinetic_energy(sim, l, BETWEEN_RUNS));
 	TS_TRY(store_seen_velocities(sim, l));
-	ts_ledger_heat_update(sim, l);
+	TS_TRY(ts_ledger_heat_update(sim, l));
 	for (int k = 0; k < TS_NSTORE && l->open && l->made; k++)
 		ts_compensated_add(&l->moved[k], l->store[k] - l->store_before[k]);
 	if (!l->open)
@@ -526,4 +609,10 @@ void ts_ledger_fini(struct ts_instance *self)
 	ts_free(l->wall_memory);
 	ts_free(l->note);
 	ts_free(l->bond);
+	ts_free(l->journal.entry);
+	ts_free(l->journal.sum);
+	ts_free(l->counted);
+	ts_free(l->tag);
+	ts_free(l->gone);
+	ts_parcel_release(&l->missing);
 }

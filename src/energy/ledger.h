@@ -21,6 +21,7 @@
 #include "math/compensated.h"
 #include "math/exactsum.h"
 #include "neigh/neigh.h"
+#include "rank/world.h"
 #include "rigid/rigid.h"
 
 /* Causes that all ledgers have: each part of the contact force, between particles and with walls, and
@@ -83,6 +84,35 @@ struct ts_ledger_note {
 	double energy[TS_LEDGER_NOTE_ENERGIES];
 };
 
+/* A journal entry: what sums over particles or contacts are added to. While the particles are divided among ranks the sums
+ * of this rank wait for those of the others: ledger_journal.c. */
+struct ts_ledger;
+struct ts_ledger_entry;
+typedef enum ts_status ts_ledger_post_fn(struct tsim *sim, struct ts_ledger *l,
+					 const struct ts_ledger_entry *entry, const double *value);
+struct ts_ledger_entry {
+	ts_ledger_post_fn *post;
+	const struct ts_instance *by; /* these are for `post` */
+	size_t at;
+	int32_t side, flags;
+	double factor;
+	size_t n;   /* sums */
+	bool maybe; /* only made if one of the ranks has `counts` */
+	bool counts;
+};
+
+struct ts_ledger_journal {
+	struct ts_ledger_entry *entry;
+	struct ts_exactsum *sum; /* of all entries */
+	size_t n, capacity, sums, sum_capacity;
+};
+
+/* Kinetic energy of a body that this rank counts, and its first member. */
+struct ts_ledger_body {
+	int32_t tag;
+	double energy[2];
+};
+
 struct ts_ledger {
 	/* saved */
 	int64_t open;  /* 1: the balance has started, the start values are set */
@@ -133,7 +163,43 @@ struct ts_ledger {
 	size_t rows, row_capacity;
 	struct ts_ledger_note *note, *bond;
 	size_t notes, note_capacity, bonds, bond_capacity;
+
+	/* with several ranks */
+	struct ts_ledger_journal journal;
+	struct ts_exactsum own_kinetic[2]; /* of this rank, at the last look */
+	struct ts_ledger_body *counted;
+	size_t ncounted, counted_capacity;
+	bool relisted;	    /* the lists have been made again for other particles */
+	int32_t *tag, *gone; /* the own particles before they moved to other ranks; those that are deleted */
+	size_t tags, tag_capacity, ngone, gone_capacity;
+	int64_t lost;		  /* as sim->particles, before they moved */
+	struct ts_parcel missing; /* bonds that may be broken */
 };
+
+enum {
+	TS_LEDGER_STEPPING = 1, /* flags of entries: in a step */
+	TS_LEDGER_FIRST = 2,	/* the store of energy is set, not added to */
+	TS_LEDGER_EXACT = 4	/* scheme of the heat fix */
+};
+/* Makes the entry, now or, while the particles are divided, in ts_ledger_post. */
+enum ts_status ts_ledger_enter(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+			       const struct ts_exactsum *sum);
+/* Makes the entries with the sums of all ranks. */
+enum ts_status ts_ledger_post(struct tsim *sim, struct ts_ledger *l);
+/* Entry: adds the value to the account at this offset of struct ts_ledger. */
+ts_ledger_post_fn ts_ledger_post_account;
+
+/* ledger_ranks.c. Before particles move to other ranks. */
+enum ts_status ts_ledger_before_exchange(struct tsim *sim, struct ts_ledger *l);
+/* After that, if particles were deleted: finds the identities of these, ascending, in l->gone. All ranks call it. */
+enum ts_status ts_ledger_find_deleted(struct tsim *sim, struct ts_ledger *l);
+/* With them bodies are deleted whose first member is. */
+void ts_ledger_drop_bodies(struct ts_ledger *l);
+bool ts_ledger_is_deleted(const struct ts_ledger *l, int32_t tag);
+/* Lists are about to be made again, as all ranks got all particles, or have divided them. */
+enum ts_status ts_ledger_share_bonds(struct tsim *sim, struct ts_ledger *l);
+/* The energy of bonds that are noted and are not there any more, of all ranks. */
+enum ts_status ts_ledger_account_missing(struct tsim *sim, struct ts_ledger *l);
 
 /* Slots of a style whose state begins with a struct ts_ledger. */
 enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim);
@@ -141,6 +207,9 @@ enum ts_status ts_ledger_watch(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_ledger_setup(struct ts_instance *self, struct tsim *sim);
 /* Accounts the kicks of the step; to be called first in END_OF_STEP. */
 enum ts_status ts_ledger_finish_step(struct ts_instance *self, struct tsim *sim);
+/* Slots for several ranks. */
+enum ts_status ts_ledger_settle(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_ledger_join(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_ledger_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
 void ts_ledger_fini(struct ts_instance *self);
 enum ts_status ts_ledger_archive_columns(struct tsim *sim, struct ts_ledger *l, struct ts_archive *a);
@@ -155,14 +224,16 @@ enum ts_status ts_ledger_account_pairs(struct tsim *sim, struct ts_ledger *l);
 enum ts_status ts_ledger_account_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *wall,
 				      size_t actor);
 enum ts_status ts_ledger_account_bonds(struct tsim *sim, struct ts_ledger *l);
+/* Notes energies of contacts again, without accounting anything. */
+enum ts_status ts_ledger_note_contacts(struct tsim *sim, struct ts_ledger *l);
 /* Copy the contact histories before the force computation. */
 enum ts_status ts_ledger_store_pair_history(struct tsim *sim, struct ts_ledger *l);
 enum ts_status ts_ledger_store_wall_history(struct tsim *sim, struct ts_ledger *l);
 /* Accounts the elastic energy of contacts and bonds of particles that were removed. */
 enum ts_status ts_ledger_account_removed(struct tsim *sim, struct ts_ledger *l);
 
-/* ledger_work.c */
-void ts_ledger_kinetic(struct tsim *sim, double out[2]);
+/* ledger_work.c: kinetic energies of translation and rotation; those of this rank. */
+enum ts_status ts_ledger_kinetic(struct tsim *sim, struct ts_ledger *l, struct ts_exactsum out[2]);
 /* Accounts the work of the kicks of a stage; `final`: of the second half of the step. */
 enum ts_status ts_ledger_account_kicks(struct tsim *sim, struct ts_ledger *l, bool final);
 /* Stores the velocities of particles and bodies at the beginning of a stage. */
@@ -173,11 +244,11 @@ void ts_ledger_mark_kicked(struct tsim *sim, struct ts_ledger *l, size_t actor);
 /* ledger_heat.c: updates the heat content and accounts changes other than conduction; clears the fluxes
  * before the force computation; accounts the flux added by the last action; accounts the advance of the
  * temperatures. */
-void ts_ledger_heat_update(struct tsim *sim, struct ts_ledger *l);
+enum ts_status ts_ledger_heat_update(struct tsim *sim, struct ts_ledger *l);
 void ts_ledger_heat_clear(struct ts_ledger *l);
-void ts_ledger_heat_flux(struct tsim *sim, struct ts_ledger *l, size_t actor);
-void ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by,
-			    size_t actor);
+enum ts_status ts_ledger_heat_flux(struct tsim *sim, struct ts_ledger *l, size_t actor);
+enum ts_status ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by,
+				      size_t actor);
 double ts_ledger_heat_closure(const struct ts_ledger *l);
 
 static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct ts_particles *p, size_t i)

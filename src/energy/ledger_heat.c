@@ -18,7 +18,7 @@ static const struct ts_instance *active_heat_fix(const struct tsim *sim)
 	return inst && ((const struct ts_heat *)inst->state)->ready ? inst : NULL;
 }
 
-static double heat_content(const struct tsim *sim, const struct ts_heat *heat)
+static struct ts_exactsum heat_content(const struct tsim *sim, const struct ts_heat *heat)
 {
 	const struct ts_particles *p = sim->particles;
 	const double *temperature = ts_heat_column(sim, heat->temperature);
@@ -26,11 +26,12 @@ static double heat_content(const struct tsim *sim, const struct ts_heat *heat)
 
 	for (size_t i = 0; i < p->n && heat->capacity; i++)
 		ts_exactsum_add(&sum, p->mass[i] * heat->capacity[p->type[i]] * temperature[i]);
-	return ts_exactsum_value(&sum);
+	return sum;
 }
 
 /* Sum of a column over the particles whose temperature changes. */
-static double sum_over_group(const struct tsim *sim, const struct ts_instance *inst, size_t column)
+static struct ts_exactsum sum_over_group(const struct tsim *sim, const struct ts_instance *inst,
+					 size_t column)
 {
 	const double *value = ts_heat_column(sim, column);
 	struct ts_exactsum sum = ts_exactsum_start();
@@ -38,22 +39,34 @@ static double sum_over_group(const struct tsim *sim, const struct ts_instance *i
 	for (size_t i = 0; i < sim->particles->n; i++)
 		if (ts_in_group(sim->particles, i, inst->group))
 			ts_exactsum_add(&sum, value[i]);
-	return ts_exactsum_value(&sum);
+	return sum;
 }
 
-void ts_ledger_heat_update(struct tsim *sim, struct ts_ledger *l)
+static enum ts_status post_content(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				   const double *value)
 {
-	const struct ts_instance *inst = active_heat_fix(sim);
 	double before = l->heat.now;
 
-	if (!inst)
-		return;
-	l->heat.now = heat_content(sim, inst->state);
+	(void)sim, (void)entry;
+	l->heat.now = value[0];
 	if (l->open && l->heat.known)
 		ts_compensated_add(&l->heat.moved, l->heat.now - before);
 	else
 		l->heat.start = l->heat.now;
 	l->heat.known = 1;
+	return TS_OK;
+}
+
+enum ts_status ts_ledger_heat_update(struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_instance *inst = active_heat_fix(sim);
+	struct ts_ledger_entry entry = { .post = post_content, .n = 1 };
+	struct ts_exactsum sum;
+
+	if (!inst)
+		return TS_OK;
+	sum = heat_content(sim, inst->state);
+	return ts_ledger_enter(sim, l, &entry, &sum);
 }
 
 void ts_ledger_heat_clear(struct ts_ledger *l)
@@ -63,36 +76,60 @@ void ts_ledger_heat_clear(struct ts_ledger *l)
 		l->actor[a].heat_rate = 0;
 }
 
-void ts_ledger_heat_flux(struct tsim *sim, struct ts_ledger *l, size_t actor)
+static enum ts_status post_flux(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				const double *value)
 {
-	const struct ts_instance *inst = active_heat_fix(sim);
-	double flux;
-
-	if (!inst)
-		return;
-	flux = sum_over_group(sim, inst, ((const struct ts_heat *)inst->state)->flux);
-	l->actor[actor].heat_rate += flux - l->heat.seen;
-	l->heat.seen = flux;
+	(void)sim;
+	l->actor[entry->at].heat_rate += value[0] - l->heat.seen;
+	l->heat.seen = value[0];
+	return TS_OK;
 }
 
-void ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by, size_t actor)
+enum ts_status ts_ledger_heat_flux(struct tsim *sim, struct ts_ledger *l, size_t actor)
 {
 	const struct ts_instance *inst = active_heat_fix(sim);
-	const struct ts_heat *heat;
-	double before = l->heat.now, h = sim->clock.dt, source, sum = 0;
+	struct ts_ledger_entry entry = { .post = post_flux, .at = actor, .n = 1 };
+	struct ts_exactsum sum;
 
-	if (!inst || inst != by)
-		return;
-	heat = inst->state;
-	source = h * sum_over_group(sim, inst, heat->source);
-	l->heat.now = heat_content(sim, heat);
+	if (!inst)
+		return TS_OK;
+	sum = sum_over_group(sim, inst, ((const struct ts_heat *)inst->state)->flux);
+	return ts_ledger_enter(sim, l, &entry, &sum);
+}
+
+/* Values: source and content. */
+static enum ts_status post_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				   const double *value)
+{
+	double before = l->heat.now, h = entry->factor, source = h * value[0], sum = 0;
+
+	(void)sim;
+	l->heat.now = value[1];
 	for (size_t a = 0; a < l->nactors; a++) {
 		ts_compensated_add(&l->actor[a].heat, h * l->actor[a].heat_rate);
 		sum += h * l->actor[a].heat_rate;
 	}
 	ts_compensated_add(&l->heat.source, source);
-	if (heat->scheme == TS_HEAT_EXACT)
-		ts_compensated_add(&l->actor[actor].heat, l->heat.now - before - sum - source);
+	if (entry->flags & TS_LEDGER_EXACT)
+		ts_compensated_add(&l->actor[entry->at].heat, l->heat.now - before - sum - source);
+	return TS_OK;
+}
+
+enum ts_status ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by,
+				      size_t actor)
+{
+	const struct ts_instance *inst = active_heat_fix(sim);
+	struct ts_ledger_entry entry = { .post = post_advance, .at = actor, .factor = sim->clock.dt, .n = 2 };
+	const struct ts_heat *heat;
+	struct ts_exactsum sum[2];
+
+	if (!inst || inst != by)
+		return TS_OK;
+	heat = inst->state;
+	entry.flags = heat->scheme == TS_HEAT_EXACT ? TS_LEDGER_EXACT : 0;
+	sum[0] = sum_over_group(sim, inst, heat->source);
+	sum[1] = heat_content(sim, heat);
+	return ts_ledger_enter(sim, l, &entry, sum);
 }
 
 double ts_ledger_heat_closure(const struct ts_ledger *l)

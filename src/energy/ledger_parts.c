@@ -1,4 +1,5 @@
 /* Forces and elastic energies of contacts and bonds by cause, right after the force computation. */
+#include <stddef.h>
 #include <string.h>
 
 #include "bond/bond_moment.h"
@@ -11,15 +12,16 @@
 
 #include "base/banned.h"
 
+/* Sums over contacts: energies by store, of these what contacts have brought, and SLIP. */
+enum { BROUGHT = TS_NCONTACT_STORE, SLIP = 2 * TS_NCONTACT_STORE, NSUMS };
 struct sums {
-	struct ts_exactsum store[TS_NCONTACT_STORE], brought[TS_NCONTACT_STORE], slip;
+	struct ts_exactsum of[NSUMS];
 };
 
 static void sums_start(struct sums *s)
 {
-	for (int k = 0; k < TS_NCONTACT_STORE; k++)
-		s->store[k] = s->brought[k] = ts_exactsum_start();
-	s->slip = ts_exactsum_start();
+	for (int k = 0; k < NSUMS; k++)
+		s->of[k] = ts_exactsum_start();
 }
 
 /* `fresh`: one of the partners was added after the last force computation, and the contact with it. */
@@ -28,25 +30,37 @@ static void add_energy(struct sums *s, const double energy[], double fraction, b
 	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
 		if (energy[k] == 0)
 			continue;
-		ts_exactsum_add(&s->store[k], fraction * energy[k]);
+		ts_exactsum_add(&s->of[k], fraction * energy[k]);
 		if (fresh)
-			ts_exactsum_add(&s->brought[k], fraction * energy[k]);
+			ts_exactsum_add(&s->of[BROUGHT + k], fraction * energy[k]);
 	}
 }
 
-static void sums_finish(const struct sums *s, struct ts_ledger *l, int side, bool first)
+static enum ts_status post_contacts(struct tsim *sim, struct ts_ledger *l,
+				    const struct ts_ledger_entry *entry, const double *value)
 {
-	if (l->stepping)
-		ts_compensated_add(&l->slip[side], ts_exactsum_value(&s->slip));
-	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
-		int store = ts_ledger_store(side, k);
+	bool stepping = entry->flags & TS_LEDGER_STEPPING;
 
-		if (l->already_accounted)
-			continue;
-		l->store[store] = (first ? 0 : l->store[store]) + ts_exactsum_value(&s->store[k]);
-		if (l->stepping)
-			ts_compensated_add(&l->moved[store], ts_exactsum_value(&s->brought[k]));
+	(void)sim;
+	if (stepping)
+		ts_compensated_add(&l->slip[entry->side], value[SLIP]);
+	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
+		int store = ts_ledger_store(entry->side, k);
+
+		l->store[store] = (entry->flags & TS_LEDGER_FIRST ? 0 : l->store[store]) + value[k];
+		if (stepping)
+			ts_compensated_add(&l->moved[store], value[BROUGHT + k]);
 	}
+	return TS_OK;
+}
+
+static enum ts_status sums_finish(struct tsim *sim, const struct sums *s, struct ts_ledger *l, int side,
+				  bool first)
+{
+	struct ts_ledger_entry entry = { .post = post_contacts, .side = side, .n = NSUMS };
+
+	entry.flags = (l->stepping ? TS_LEDGER_STEPPING : 0) | (first ? TS_LEDGER_FIRST : 0);
+	return l->already_accounted ? TS_OK : ts_ledger_enter(sim, l, &entry, s->of);
 }
 
 /* Adds the force parts to the columns of one partner, with its sign and lever arm. `drive`: velocity of
@@ -111,7 +125,7 @@ static void account_pair(struct pair_accounting *w, size_t r, int side, size_t o
 				     t.arm[side], drive);
 	add_energy(&w->sums, parts.energy, 0.5, p->tag[i] > w->l->newest || p->tag[j] > w->l->newest);
 	if (w->l->stepping && (r + 1) * rows->history_width <= w->l->memory_n)
-		ts_exactsum_add(&w->sums.slip,
+		ts_exactsum_add(&w->sums.of[SLIP],
 				0.5 * ts_slip_loss(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t,
 						   w->sim->clock.dt, w->l->memory + r * rows->history_width,
 						   memory));
@@ -183,8 +197,7 @@ enum ts_status ts_ledger_account_pairs(struct tsim *sim, struct ts_ledger *l)
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
 			if (ts_contact_touches(rows, g->entry[k] >> 1))
 				account_pair(&w, g->entry[k] >> 1, (int)(g->entry[k] & 1), i);
-	sums_finish(&w.sums, l, TS_LEDGER_PAIR, true);
-	return TS_OK;
+	return sums_finish(sim, &w.sums, l, TS_LEDGER_PAIR, true);
 }
 
 static enum ts_status append_note(struct tsim *sim, struct ts_ledger_note **list, size_t *n, size_t *capacity,
@@ -230,7 +243,7 @@ static enum ts_status account_wall_contact(struct tsim *sim, struct ts_ledger *l
 	add_energy(sums, parts.energy, 1, p->tag[i] > l->newest);
 	before = stored_wall_history(sim, l, wall, k);
 	if (l->stepping && before)
-		ts_exactsum_add(&sums->slip, ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt,
+		ts_exactsum_add(&sums->of[SLIP], ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt,
 							  before, ts_wall_memory(&wall->contacts, k)));
 	memcpy(entry.energy, parts.energy, sizeof parts.energy);
 	l->plastic[TS_LEDGER_WALL] |= is_inelastic(view.model);
@@ -247,8 +260,26 @@ enum ts_status ts_ledger_account_wall(struct tsim *sim, struct ts_ledger *l, con
 	for (size_t k = 0; k < wall->contacts.n; k++)
 		if (ts_wall_report(&wall->contacts, k))
 			TS_TRY(account_wall_contact(sim, l, wall, k, actor, &sums));
-	sums_finish(&sums, l, TS_LEDGER_WALL, false);
-	return TS_OK;
+	return sums_finish(sim, &sums, l, TS_LEDGER_WALL, false);
+}
+
+/* In the way of a run that is continued. */
+enum ts_status ts_ledger_note_contacts(struct tsim *sim, struct ts_ledger *l)
+{
+	const bool stepping = l->stepping;
+	const struct ts_instance *wall;
+	enum ts_status status;
+	size_t k = 0;
+
+	l->stepping = false;
+	l->already_accounted = true;
+	l->notes = 0;
+	status = ts_ledger_account_pairs(sim, l);
+	while (status == TS_OK && ts_walls_next(sim, &k, &wall))
+		status = ts_ledger_account_wall(sim, l, wall, 0);
+	l->already_accounted = false;
+	l->stepping = stepping;
+	return status;
 }
 
 /* Elastic energy lost with a broken bond: the mean of the energies before and after the last move, as
@@ -272,12 +303,17 @@ static double broken_energy(const struct tsim *sim, const struct ts_ledger_note 
 
 /* Accounts bonds that were listed in the last step and are not any more. Both lists are sorted by
  * identities. */
-static void account_broken_bonds(struct tsim *sim, struct ts_ledger *l)
+static enum ts_status account_broken_bonds(struct tsim *sim, struct ts_ledger *l)
 {
+	const struct ts_ledger_entry entry = { .post = ts_ledger_post_account,
+					       .at = offsetof(struct ts_ledger, broken),
+					       .n = 1 };
 	const struct ts_bonds *bonds = sim->bonds;
 	struct ts_exactsum broken = ts_exactsum_start();
 	size_t b = 0;
 
+	if (sim->division)
+		return ts_ledger_account_missing(sim, l);
 	for (size_t k = 0; k < l->bonds; k++) {
 		const int32_t *tag = l->bond[k].tag;
 
@@ -287,13 +323,14 @@ static void account_broken_bonds(struct tsim *sim, struct ts_ledger *l)
 		if (b == bonds->n || bonds->tag[b][0] != tag[0] || bonds->tag[b][1] != tag[1])
 			ts_exactsum_add(&broken, broken_energy(sim, &l->bond[k]));
 	}
-	ts_compensated_add(&l->broken, ts_exactsum_value(&broken));
+	return ts_ledger_enter(sim, l, &entry, &broken);
 }
 
 static enum ts_status account_bond(struct tsim *sim, struct ts_ledger *l, size_t b, struct ts_exactsum sum[])
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	struct ts_ledger_note entry = { .tag = { bonds->tag[b][0], bonds->tag[b][1] } };
+	const struct ts_particles *p = sim->particles;
 	struct ts_contact_view view;
 	struct ts_bond_load spring;
 
@@ -301,9 +338,11 @@ static enum ts_status account_bond(struct tsim *sim, struct ts_ledger *l, size_t
 	ts_bond_spring_load(sim, b, &spring);
 	for (int s = 0; s < 2; s++) {
 		double sign = s ? -1 : 1;
-		double *own = ts_ledger_causes(l, sim->particles, s ? view.b : view.a);
+		double *own = ts_ledger_causes(l, p, s ? view.b : view.a);
 		double *to = own + TS_CAUSE_BOND * TS_CAUSE_NUMBERS;
 
+		if ((s ? view.b : view.a) >= p->n) /* a particle of another rank */
+			continue;
 		own[TS_LEDGER_NONZERO] = 1;
 		for (int d = 0; d < 3 && !l->already_accounted; d++) {
 			to[d] += sign * spring.force[d];
@@ -315,85 +354,121 @@ static enum ts_status account_bond(struct tsim *sim, struct ts_ledger *l, size_t
 				bonds->load[b].torque[s][d] - spring.torque[s][d];
 		}
 	}
+	if (view.a >= p->n)
+		return TS_OK;
 	ts_bond_energy(sim, b, entry.energy);
 	for (int mode = 0; mode < TS_BOND_MODES; mode++)
 		ts_exactsum_add(&sum[mode], entry.energy[mode]);
 	return append_note(sim, &l->bond, &l->bonds, &l->bond_capacity, entry);
 }
 
+static enum ts_status post_bonds(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				 const double *value)
+{
+	(void)sim, (void)entry;
+	for (int mode = 0; mode < TS_BOND_MODES; mode++)
+		l->store[TS_LEDGER_BOND + mode] = value[mode];
+	return TS_OK;
+}
+
 enum ts_status ts_ledger_account_bonds(struct tsim *sim, struct ts_ledger *l)
 {
+	const struct ts_ledger_entry yielded = { .post = ts_ledger_post_account,
+						 .at = offsetof(struct ts_ledger, yielded),
+						 .n = 1 },
+				     entry = { .post = post_bonds, .n = TS_BOND_MODES };
 	struct ts_exactsum sum[TS_BOND_MODES];
 
 	for (int mode = 0; mode < TS_BOND_MODES; mode++)
 		sum[mode] = ts_exactsum_start();
 	if (l->stepping) {
-		account_broken_bonds(sim, l);
-		ts_compensated_add(&l->yielded, sim->bonds->flow);
+		TS_TRY(account_broken_bonds(sim, l));
+		TS_TRY(ts_ledger_enter(sim, l, &yielded, &sim->bonds->flow));
 	}
 	l->bonds = 0;
 	for (size_t b = 0; b < sim->bonds->n; b++)
 		TS_TRY(account_bond(sim, l, b, sum));
-	for (int mode = 0; mode < TS_BOND_MODES && !l->already_accounted; mode++)
-		l->store[TS_LEDGER_BOND + mode] = ts_exactsum_value(&sum[mode]);
+	return l->already_accounted ? TS_OK : ts_ledger_enter(sim, l, &entry, sum);
+}
+
+/* Particles that are not there any more: those without a row, with several ranks those that are listed. */
+struct absence {
+	const struct ts_ledger *l;
+	struct ts_identities map;
+	bool divided;
+};
+
+static bool is_absent(const struct absence *a, int32_t tag)
+{
+	return a->divided ? ts_ledger_is_deleted(a->l, tag) : ts_identity_row(&a->map, tag) < 0;
+}
+
+static enum ts_status post_removed(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				   const double *value)
+{
+	(void)sim;
+	for (size_t k = 0; k < entry->n; k++)
+		ts_compensated_add(&l->moved[entry->at + k], value[k]);
 	return TS_OK;
 }
 
-static void remove_pairs_of_deleted(struct tsim *sim, struct ts_ledger *l, const struct ts_identities *map)
+static enum ts_status remove_pairs_of_deleted(struct tsim *sim, struct ts_ledger *l, const struct absence *a)
 {
+	const struct ts_ledger_entry entry = { .post = post_removed,
+					       .at = (size_t)ts_ledger_store(TS_LEDGER_PAIR, 0),
+					       .n = TS_NCONTACT_STORE };
 	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	struct ts_exactsum gone[TS_NCONTACT_STORE];
 
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
 		gone[k] = ts_exactsum_start();
 	for (size_t r = 0; r < l->rows && r < rows->n; r++) {
-		/* a contact across a periodic face has two rows */
+		/* a contact across a periodic face, or of particles of two ranks, has two rows */
 		double fraction = (size_t)rows->j[r] < rows->particles ? -1 : -0.5;
 
-		if (ts_identity_row(map, ts_contact_tag(rows, r, 0)) >= 0 &&
-		    ts_identity_row(map, ts_contact_tag(rows, r, 1)) >= 0)
+		if (!is_absent(a, ts_contact_tag(rows, r, 0)) && !is_absent(a, ts_contact_tag(rows, r, 1)))
 			continue;
 		for (int k = 0; k < TS_NCONTACT_STORE; k++)
 			ts_exactsum_add(&gone[k], fraction * l->row_energy[r][k]);
 		memset(l->row_energy[r], 0, sizeof l->row_energy[r]);
 	}
-	for (int k = 0; k < TS_NCONTACT_STORE; k++)
-		ts_compensated_add(&l->moved[ts_ledger_store(TS_LEDGER_PAIR, k)],
-				   ts_exactsum_value(&gone[k]));
+	return ts_ledger_enter(sim, l, &entry, gone);
 }
 
 /* Removes the entries of deleted particles; accounts their energy by store. */
-static void remove_notes_of_deleted(struct ts_ledger *l, struct ts_ledger_note *list, size_t *n, int store,
-				    int count, const struct ts_identities *map)
+static enum ts_status remove_notes_of_deleted(struct tsim *sim, struct ts_ledger *l,
+					      struct ts_ledger_note *list, size_t *n,
+					      const struct ts_ledger_entry *entry, const struct absence *a)
 {
 	struct ts_exactsum gone[TS_LEDGER_NOTE_ENERGIES];
 	size_t kept = 0;
 
-	for (int k = 0; k < count; k++)
+	for (size_t k = 0; k < entry->n; k++)
 		gone[k] = ts_exactsum_start();
 	for (size_t e = 0; e < *n; e++) {
 		const int32_t *tag = list[e].tag;
-		bool here =
-			ts_identity_row(map, tag[0]) >= 0 && (!tag[1] || ts_identity_row(map, tag[1]) >= 0);
+		bool here = !is_absent(a, tag[0]) && (!tag[1] || !is_absent(a, tag[1]));
 
-		for (int k = 0; k < count && !here; k++)
+		for (size_t k = 0; k < entry->n && !here; k++)
 			ts_exactsum_add(&gone[k], -list[e].energy[k]);
 		if (here)
 			list[kept++] = list[e];
 	}
 	*n = kept;
-	for (int k = 0; k < count; k++)
-		ts_compensated_add(&l->moved[store + k], ts_exactsum_value(&gone[k]));
+	return ts_ledger_enter(sim, l, entry, gone);
 }
 
 enum ts_status ts_ledger_account_removed(struct tsim *sim, struct ts_ledger *l)
 {
-	struct ts_identities map;
+	const struct ts_ledger_entry walls = { .post = post_removed,
+					       .at = (size_t)ts_ledger_store(TS_LEDGER_WALL, 0),
+					       .n = TS_NCONTACT_STORE },
+				     bonds = { .post = post_removed, .at = TS_LEDGER_BOND, .n = TS_BOND_MODES };
+	struct absence a = { .l = l, .divided = sim->division != NULL };
 
-	TS_TRY(ts_identities(sim, false, &map));
-	remove_pairs_of_deleted(sim, l, &map);
-	remove_notes_of_deleted(l, l->note, &l->notes, ts_ledger_store(TS_LEDGER_WALL, 0), TS_NCONTACT_STORE,
-				&map);
-	remove_notes_of_deleted(l, l->bond, &l->bonds, TS_LEDGER_BOND, TS_BOND_MODES, &map);
-	return TS_OK;
+	if (!a.divided)
+		TS_TRY(ts_identities(sim, false, &a.map));
+	TS_TRY(remove_pairs_of_deleted(sim, l, &a));
+	TS_TRY(remove_notes_of_deleted(sim, l, l->note, &l->notes, &walls, &a));
+	return remove_notes_of_deleted(sim, l, l->bond, &l->bonds, &bonds, &a);
 }

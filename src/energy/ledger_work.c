@@ -24,64 +24,133 @@ static double body_energy(const struct ts_body *b)
 	return 0.5 * b->mass * ts_dot(b->v, b->v) + body_rotation(b);
 }
 
-void ts_ledger_kinetic(struct tsim *sim, double out[2])
+/* Of several ranks that have members of a body, that of the first one counts it. */
+static bool counts_body(const struct tsim *sim, size_t b)
+{
+	const struct ts_rigid *rigid = sim->rigid;
+
+	return !sim->division || (rigid->start[b] < rigid->start[b + 1] &&
+				  (size_t)rigid->member[rigid->start[b]] < sim->particles->n);
+}
+
+static void find_body_energies(const struct ts_body *b, double energy[2])
+{
+	energy[0] = 0.5 * b->mass * ts_dot(b->v, b->v);
+	energy[1] = body_rotation(b);
+}
+
+static enum ts_status note_bodies(struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_rigid *rigid = sim->rigid;
+
+	TS_TRY(ts_rigid_list(sim));
+	l->ncounted = 0;
+	if (TS_GROW(l->counted, l->counted_capacity, rigid->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t b = 0; b < rigid->n; b++) {
+		struct ts_ledger_body *note = &l->counted[l->ncounted];
+
+		if (!counts_body(sim, b))
+			continue;
+		note->tag = sim->particles->tag[rigid->member[rigid->start[b]]];
+		find_body_energies(&rigid->body[b], note->energy);
+		l->ncounted++;
+	}
+	return TS_OK;
+}
+
+/* While particles move between ranks, members of bodies are not known, but bodies do not change. */
+static bool particles_move(const struct tsim *sim)
+{
+	return sim->acted.stage >= TS_STAGE_PRE_EXCHANGE && sim->acted.stage <= TS_STAGE_POST_BUILD;
+}
+
+static enum ts_status add_bodies(struct tsim *sim, struct ts_ledger *l, struct ts_exactsum out[2])
+{
+	const struct ts_rigid *rigid = sim->rigid;
+	double energy[2];
+
+	if (sim->division && !particles_move(sim))
+		TS_TRY(note_bodies(sim, l));
+	for (size_t b = 0; b < (sim->division ? l->ncounted : rigid->n); b++) {
+		const double *of = sim->division ? l->counted[b].energy : energy;
+
+		if (!sim->division)
+			find_body_energies(&rigid->body[b], energy);
+		for (int k = 0; k < 2; k++)
+			ts_exactsum_add(&out[k], of[k]);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_ledger_kinetic(struct tsim *sim, struct ts_ledger *l, struct ts_exactsum out[2])
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_rigid *rigid = sim->rigid;
-	struct ts_exactsum moves = ts_exactsum_start(), turns = ts_exactsum_start();
 
+	out[0] = out[1] = ts_exactsum_start();
 	for (size_t i = 0; i < p->n; i++) {
 		if (ts_rigid_member(p, i))
 			continue;
-		ts_exactsum_add(&moves, 0.5 * p->mass[i] * ts_dot(p->v[i], p->v[i]));
+		ts_exactsum_add(&out[0], 0.5 * p->mass[i] * ts_dot(p->v[i], p->v[i]));
 		if (p->omega)
-			ts_exactsum_add(&turns, 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]));
+			ts_exactsum_add(&out[1],
+					0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]));
 	}
-	for (size_t b = 0; b < rigid->n; b++) {
-		ts_exactsum_add(&moves,
-				0.5 * rigid->body[b].mass * ts_dot(rigid->body[b].v, rigid->body[b].v));
-		ts_exactsum_add(&turns, body_rotation(&rigid->body[b]));
-	}
-	out[0] = ts_exactsum_value(&moves);
-	out[1] = ts_exactsum_value(&turns);
+	return add_bodies(sim, l, out);
 }
 
-/* Sums of one stage of kicks. */
+/* Sums of one stage of kicks: by cause, then these, then work and own energy of each actor. HELD: of no known actor. */
+enum { DRIVE = TS_NCAUSE, BOX, TURNING, HELD, KICK_SUMS };
+
 struct kick {
 	struct tsim *sim;
 	struct ts_ledger *l;
 	double h; /* s: half a time step */
-	/* work, own: by actor; own[nactors]: of no known actor */
-	struct ts_exactsum cause[TS_NCAUSE], drive, box, turning, *work, *own;
+	struct ts_exactsum *sum;
+	size_t n;
 };
+
+static struct ts_exactsum *work_sum(const struct kick *k, size_t actor)
+{
+	return &k->sum[KICK_SUMS + 2 * actor];
+}
+
+static struct ts_exactsum *own_sum(const struct kick *k, size_t actor)
+{
+	return &k->sum[KICK_SUMS + 2 * actor + 1];
+}
 
 static enum ts_status kick_start(struct kick *k, struct tsim *sim, struct ts_ledger *l)
 {
-	*k = (struct kick){ .sim = sim, .l = l, .h = 0.5 * sim->clock.dt };
+	*k = (struct kick){ .sim = sim, .l = l, .h = 0.5 * sim->clock.dt, .n = KICK_SUMS + 2 * l->nactors };
+	k->sum = ts_alloc(k->n, sizeof *k->sum);
+	return k->sum ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status post_kick(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
+				const double *value)
+{
+	(void)sim;
 	for (int c = 0; c < TS_NCAUSE; c++)
-		k->cause[c] = ts_exactsum_start();
-	k->work = ts_alloc(2 * l->nactors + 1, sizeof *k->work);
-	if (!k->work)
-		return ts_nomem(&sim->error);
-	k->own = k->work + l->nactors;
+		ts_compensated_add(&l->work[c], value[c]);
+	ts_compensated_add(&l->drive, value[DRIVE]);
+	ts_compensated_add(&l->box, value[BOX]);
+	ts_compensated_add(&l->turning, value[TURNING]);
+	ts_compensated_add(&l->held, value[HELD]);
+	for (size_t a = 0; KICK_SUMS + 2 * a < entry->n; a++) {
+		ts_compensated_add(&l->actor[a].work, value[KICK_SUMS + 2 * a]);
+		ts_compensated_add(&l->actor[a].own, value[KICK_SUMS + 2 * a + 1]);
+	}
 	return TS_OK;
 }
 
-static void kick_finish(struct kick *k)
+static enum ts_status kick_finish(struct kick *k)
 {
-	struct ts_ledger *l = k->l;
+	const struct ts_ledger_entry entry = { .post = post_kick, .n = k->n };
+	enum ts_status status = ts_ledger_enter(k->sim, k->l, &entry, k->sum);
 
-	for (int c = 0; c < TS_NCAUSE; c++)
-		ts_compensated_add(&l->work[c], ts_exactsum_value(&k->cause[c]));
-	ts_compensated_add(&l->drive, ts_exactsum_value(&k->drive));
-	ts_compensated_add(&l->box, ts_exactsum_value(&k->box));
-	ts_compensated_add(&l->turning, ts_exactsum_value(&k->turning));
-	ts_compensated_add(&l->held, ts_exactsum_value(&k->own[l->nactors]));
-	for (size_t a = 0; a < l->nactors; a++) {
-		ts_compensated_add(&l->actor[a].work, ts_exactsum_value(&k->work[a]));
-		ts_compensated_add(&l->actor[a].own, ts_exactsum_value(&k->own[a]));
-	}
-	ts_free(k->work);
+	ts_free(k->sum);
+	return status;
 }
 
 /* s (F.v + T.omega - drive) of one cause. */
@@ -103,9 +172,9 @@ static void add_works(struct kick *k, size_t i, const double v[3], const double 
 		double work = work_of(cause, v, omega, s);
 
 		if (work != 0)
-			ts_exactsum_add(&k->cause[c], work);
+			ts_exactsum_add(&k->sum[c], work);
 		if (cause[TS_CAUSE_DRIVE] != 0)
-			ts_exactsum_add(c < TS_NPART ? &k->box : &k->drive, s * cause[TS_CAUSE_DRIVE]);
+			ts_exactsum_add(&k->sum[c < TS_NPART ? BOX : DRIVE], s * cause[TS_CAUSE_DRIVE]);
 	}
 	for (size_t a = 0; a < l->nactors; a++) {
 		const struct ts_column *column = &p->column[l->actor[a].column];
@@ -115,7 +184,7 @@ static void add_works(struct kick *k, size_t i, const double v[3], const double 
 			continue;
 		work = work_of((const double *)column->data + i * column->width, v, omega, s);
 		if (work != 0)
-			ts_exactsum_add(&k->work[a], work);
+			ts_exactsum_add(work_sum(k, a), work);
 	}
 }
 
@@ -156,7 +225,7 @@ static void account_particle(struct kick *k, size_t i, double s)
 	rest = 0.5 * mass * (ts_dot(p->v[i], p->v[i]) - ts_dot(l->v[i], l->v[i])) +
 	       0.5 * inertia * (ts_dot(w1, w1) - ts_dot(w0, w0)) - s * ts_dot(p->f[i], v) -
 	       s * ts_dot(torque, w);
-	ts_exactsum_add(&k->own[by < 0 ? l->nactors : (size_t)by], rest);
+	ts_exactsum_add(by < 0 ? &k->sum[HELD] : own_sum(k, (size_t)by), rest);
 }
 
 /* State of body b after a kick: of the first half the kick alone, before the body moves. */
@@ -199,13 +268,16 @@ static void account_body(struct kick *k, size_t b, bool final)
 		ts_rotate(m, p->body_x[i], arm);
 		ts_cross(w, arm, turn);
 		ts_add(v, turn, at);
-		add_works(k, i, at, w, k->h);
+		if (i < p->n)
+			add_works(k, i, at, w, k->h);
 		power += ts_dot(p->f[i], at) + ts_dot(p->torque[i], w);
 	}
+	if (!counts_body(k->sim, b))
+		return;
 	if (!all_directions_free(before)) /* fixed directions */
-		ts_exactsum_add(&k->own[k->l->nactors],
+		ts_exactsum_add(&k->sum[HELD],
 				body_energy(&after) - body_energy(before) - k->h * power);
-	ts_exactsum_add(&k->turning, body_energy(&rigid->body[b]) - body_energy(&after));
+	ts_exactsum_add(&k->sum[TURNING], body_energy(&rigid->body[b]) - body_energy(&after));
 }
 
 enum ts_status ts_ledger_account_kicks(struct tsim *sim, struct ts_ledger *l, bool final)
@@ -229,8 +301,7 @@ enum ts_status ts_ledger_account_kicks(struct tsim *sim, struct ts_ledger *l, bo
 	}
 	for (size_t b = 0; b < l->bodies && b < sim->rigid->n; b++)
 		account_body(&k, b, final);
-	kick_finish(&k);
-	return TS_OK;
+	return kick_finish(&k);
 }
 
 static void copy_vectors(double (*to)[3], double (*from)[3], size_t n)

@@ -74,13 +74,27 @@ void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other)
 	sum->waiting = 1;
 }
 
-/* Behind the limbs: numbers of sums that are not finite, by kind. */
+/* Changes the sign if the sum, which must be normalised, is negative; returns whether it was. */
+static bool make_positive(struct ts_exactsum *sum)
+{
+	if (sum->limb[TS_EXACTSUM_LIMBS - 1] >= 0)
+		return false;
+	for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
+		sum->limb[k] = -sum->limb[k];
+	propagate_carries(sum);
+	return true;
+}
+
+/* Limbs of a negative sum are all negative, so that only those of its digits are not 0. Behind the limbs: numbers of sums
+ * that are not finite, by kind. */
 void ts_exactsum_pack(struct ts_exactsum *sum, int64_t integer[TS_EXACTSUM_INTEGERS])
 {
-	int64_t *kind = integer + TS_EXACTSUM_LIMBS;
+	int64_t *kind = integer + TS_EXACTSUM_LIMBS, sign;
 
 	propagate_carries(sum);
-	memcpy(integer, sum->limb, sizeof sum->limb);
+	sign = make_positive(sum) ? -1 : 1;
+	for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
+		integer[k] = sum->limb[k] *= sign;
 	kind[0] = isnan(sum->special);
 	kind[1] = sum->special == INFINITY;
 	kind[2] = sum->special == -INFINITY;
@@ -135,12 +149,7 @@ double ts_exactsum_value(const struct ts_exactsum *sum)
 	if (s.special != 0) /* true for NaN too */
 		return s.special;
 	propagate_carries(&s);
-	negative = s.limb[TS_EXACTSUM_LIMBS - 1] < 0;
-	if (negative) {
-		for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
-			s.limb[k] = -s.limb[k];
-		propagate_carries(&s);
-	}
+	negative = make_positive(&s);
 	top = top_bit(&s);
 	if (top < 0)
 		return 0;
