@@ -367,13 +367,11 @@ static enum ts_status account_late_forces(struct tsim *sim, struct ts_ledger *l)
 }
 
 /* Whether the last action has deleted particles; with several ranks others may have them now. */
-static bool particles_deleted(const struct tsim *sim, const struct ts_ledger *l)
+static enum ts_status find_deleted(struct tsim *sim, struct ts_ledger *l, bool *any)
 {
-	if (!l->stepping)
-		return false;
-	if (sim->division)
-		return sim->acted.stage == TS_STAGE_EXCHANGE && sim->particles->lost != l->lost;
-	return sim->particles->n < l->n;
+	*any = l->stepping && !sim->division && sim->particles->n < l->n;
+	return sim->division && sim->acted.stage == TS_STAGE_EXCHANGE ? ts_ledger_find_deleted(sim, l, any) :
+									TS_OK;
 }
 
 /* Outside the kick stages any change of velocities or masses is a direct change by the acting style. With several ranks
@@ -381,22 +379,20 @@ static bool particles_deleted(const struct tsim *sim, const struct ts_ledger *l)
 static enum ts_status account_direct_changes(struct tsim *sim, struct ts_ledger *l,
 					     const struct ts_instance *by)
 {
-	bool deleted = particles_deleted(sim, l),
-	     changed = deleted || velocities_changed(sim, l) ||
-		       (by->style->kind == TS_KIND_FIX && sim->acted.stage == TS_STAGE_POST_INTEGRATE);
-	const struct ts_ledger_entry entry = { .post = post_kinetic,
-					       .by = by,
-					       .at = l->stepping ? OF_ACTOR : BETWEEN_RUNS,
-					       .n = 2,
-					       .maybe = true,
-					       .counts = changed };
+	bool changed = velocities_changed(sim, l) ||
+		       (by->style->kind == TS_KIND_FIX && sim->acted.stage == TS_STAGE_POST_INTEGRATE),
+	     deleted;
+	struct ts_ledger_entry entry = { .post = post_kinetic,
+					 .by = by,
+					 .at = l->stepping ? OF_ACTOR : BETWEEN_RUNS,
+					 .n = 2,
+					 .maybe = true };
 
 	if (!changed && !sim->division)
 		return TS_OK;
-	if (deleted && sim->division)
-		TS_TRY(ts_ledger_find_deleted(sim, l));
-	if (deleted && by->style == &ts_rigid_system.style)
-		ts_ledger_drop_bodies(l);
+	TS_TRY(find_deleted(sim, l, &deleted));
+	changed |= deleted;
+	entry.counts = changed;
 	if (changed)
 		TS_TRY(ts_ledger_kinetic(sim, l, l->own_kinetic));
 	TS_TRY(ts_ledger_enter(sim, l, &entry, l->own_kinetic));
@@ -612,7 +608,7 @@ void ts_ledger_fini(struct ts_instance *self)
 	ts_free(l->journal.entry);
 	ts_free(l->journal.sum);
 	ts_free(l->counted);
-	ts_free(l->tag);
+	ts_free(l->seen);
 	ts_free(l->gone);
 	ts_parcel_release(&l->missing);
 }

@@ -107,9 +107,9 @@ struct ts_ledger_journal {
 	size_t n, capacity, sums, sum_capacity;
 };
 
-/* Kinetic energy of a body that this rank counts, and its first member. */
+/* Kinetic energy of a body that this rank counts, and its members. */
 struct ts_ledger_body {
-	int32_t tag;
+	int32_t id, members;
 	double energy[2];
 };
 
@@ -170,9 +170,10 @@ struct ts_ledger {
 	struct ts_ledger_body *counted;
 	size_t ncounted, counted_capacity;
 	bool relisted;	    /* the lists have been made again for other particles */
-	int32_t *tag, *gone; /* the own particles before they moved to other ranks; those that are deleted */
-	size_t tags, tag_capacity, ngone, gone_capacity;
-	int64_t lost;		  /* as sim->particles, before they moved */
+	/* identities and bodies: of the own particles before they moved to other ranks; of those that were deleted then */
+	int32_t (*seen)[2], (*gone)[2];
+	size_t nseen, seen_capacity, ngone, gone_capacity;
+	int64_t all; /* particles of all ranks then */
 	struct ts_parcel missing; /* bonds that may be broken */
 };
 
@@ -191,10 +192,8 @@ ts_ledger_post_fn ts_ledger_post_account;
 
 /* ledger_ranks.c. Before particles move to other ranks. */
 enum ts_status ts_ledger_before_exchange(struct tsim *sim, struct ts_ledger *l);
-/* After that, if particles were deleted: finds the identities of these, ascending, in l->gone. All ranks call it. */
-enum ts_status ts_ledger_find_deleted(struct tsim *sim, struct ts_ledger *l);
-/* With them bodies are deleted whose first member is. */
-void ts_ledger_drop_bodies(struct ts_ledger *l);
+/* After a step of that: whether particles were deleted, which are found then. All ranks call it. */
+enum ts_status ts_ledger_find_deleted(struct tsim *sim, struct ts_ledger *l, bool *any);
 bool ts_ledger_is_deleted(const struct ts_ledger *l, int32_t tag);
 /* Lists are about to be made again, as all ranks got all particles, or have divided them. */
 enum ts_status ts_ledger_share_bonds(struct tsim *sim, struct ts_ledger *l);

@@ -4,6 +4,7 @@
 #include "base/sort.h"
 #include "bond/bonds.h"
 #include "energy/ledger.h"
+#include "particle/division.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 
@@ -11,85 +12,123 @@
 
 /* ---- particles that are deleted */
 
-static enum ts_status note_tags(struct tsim *sim, struct ts_ledger *l)
+static enum ts_status note_particles(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_particles *p = sim->particles;
 
-	if (TS_GROW(l->tag, l->tag_capacity, p->n + 1) != TS_OK)
+	if (TS_GROW(l->seen, l->seen_capacity, p->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	l->tags = p->n;
-	if (p->n)
-		memcpy(l->tag, p->tag, p->n * sizeof *l->tag);
-	ts_sort(l->tag, l->tags, sizeof *l->tag, ts_compare_int32);
+	l->nseen = p->n;
+	for (size_t i = 0; i < p->n; i++) {
+		l->seen[i][0] = p->tag[i];
+		l->seen[i][1] = p->body ? p->body[i] : 0;
+	}
+	ts_sort(l->seen, l->nseen, sizeof *l->seen, ts_compare_int32);
 	return TS_OK;
 }
 
 enum ts_status ts_ledger_before_exchange(struct tsim *sim, struct ts_ledger *l)
 {
-	l->lost = sim->particles->lost;
+	l->all = ts_division_sum(sim, (int64_t)sim->particles->n);
 	l->ngone = 0;
-	return note_tags(sim, l);
+	return note_particles(sim, l);
 }
 
-/* Appends the identities that are in the first list and not in the second one, each after this number. */
-static enum ts_status pack_others(const int32_t *in, size_t n, const int32_t *not_in, size_t others,
-				  int32_t number, struct ts_parcel *out)
+/* Identity, body, and 1 for a particle that has left this rank, -1 for one that has come. */
+enum { TAG, BODY, LEFT, MOVE };
+
+/* Appends the particles that are in the first list and not in the second one. */
+static enum ts_status pack_others(int32_t (*in)[2], size_t n, int32_t (*not_in)[2], size_t others,
+				  int32_t left, struct ts_parcel *out)
 {
 	for (size_t k = 0, o = 0; k < n; k++) {
-		const int32_t row[2] = { in[k], number };
+		const int32_t row[MOVE] = { in[k][0], in[k][1], left };
 
-		while (o < others && not_in[o] < in[k])
+		while (o < others && not_in[o][0] < in[k][0])
 			o++;
-		if (o < others && not_in[o] == in[k])
+		if (o < others && not_in[o][0] == in[k][0])
 			continue;
 		TS_TRY(ts_parcel_add(out, row, sizeof row));
 	}
 	return TS_OK;
 }
 
-/* A particle that left a rank and came to none. */
+/* Particles that left a rank and came to none. */
 static enum ts_status append_gone(struct ts_ledger *l, const struct ts_parcel *all)
 {
-	int32_t(*row)[2] = (int32_t(*)[2])(void *)all->data;
+	int32_t(*row)[MOVE] = (int32_t(*)[MOVE])(void *)all->data;
 	size_t n = all->n / sizeof *row;
 
 	TS_TRY(TS_GROW(l->gone, l->gone_capacity, l->ngone + n + 1));
 	ts_sort(row, n, sizeof *row, ts_compare_int32);
 	for (size_t k = 0; k < n;) {
-		int32_t tag = row[k][0], left = 0;
+		size_t first = k;
+		int32_t left = 0;
 
-		for (; k < n && row[k][0] == tag; k++)
-			left += row[k][1];
+		for (; k < n && row[k][TAG] == row[first][TAG]; k++)
+			left += row[k][LEFT];
 		if (left > 0)
-			l->gone[l->ngone++] = tag;
+			memcpy(l->gone[l->ngone++], row[first], sizeof *l->gone);
 	}
 	ts_sort(l->gone, l->ngone, sizeof *l->gone, ts_compare_int32);
 	return TS_OK;
 }
 
-enum ts_status ts_ledger_find_deleted(struct tsim *sim, struct ts_ledger *l)
+/* Bodies without members are not counted any more. */
+static void drop_bodies(struct ts_ledger *l)
 {
-	size_t tags = l->tags;
-	int32_t *before = ts_alloc(tags, sizeof *before);
-	struct ts_parcel mine = { 0 }, all = { 0 };
-	enum ts_status status = before ? TS_OK : TS_NOMEM;
+	size_t kept = 0;
 
-	if (before && tags)
-		memcpy(before, l->tag, tags * sizeof *before);
+	for (size_t b = 0; b < l->ncounted; b++) {
+		int32_t left = l->counted[b].members;
+
+		for (size_t k = 0; k < l->ngone; k++)
+			left -= l->gone[k][1] == l->counted[b].id;
+		if (left > 0)
+			l->counted[kept++] = l->counted[b];
+	}
+	l->ncounted = kept;
+}
+
+static enum ts_status share_moves(struct tsim *sim, struct ts_ledger *l, int32_t (*before)[2], size_t n)
+{
+	struct ts_parcel mine = { 0 }, all = { 0 };
+	enum ts_status status = pack_others(before, n, l->seen, l->nseen, 1, &mine);
+
 	if (status == TS_OK)
-		status = note_tags(sim, l);
-	if (status == TS_OK)
-		status = pack_others(before, tags, l->tag, l->tags, 1, &mine);
-	if (status == TS_OK)
-		status = pack_others(l->tag, l->tags, before, tags, -1, &mine);
+		status = pack_others(l->seen, l->nseen, before, n, -1, &mine);
 	if (status == TS_OK)
 		status = ts_world_share(sim->world, &mine, &all);
 	if (status == TS_OK)
 		status = append_gone(l, &all);
-	ts_free(before);
 	ts_parcel_release(&mine);
 	ts_parcel_release(&all);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_ledger_find_deleted(struct tsim *sim, struct ts_ledger *l, bool *any)
+{
+	int64_t all = ts_division_sum(sim, (int64_t)sim->particles->n);
+	size_t n = l->nseen;
+	int32_t(*before)[2];
+	enum ts_status status;
+
+	*any = all < l->all;
+	l->all = all;
+	if (!*any)
+		return TS_OK;
+	before = ts_alloc(n, sizeof *before);
+	if (!before)
+		return ts_nomem(&sim->error);
+	if (n)
+		memcpy(before, l->seen, n * sizeof *before);
+	status = note_particles(sim, l);
+	if (status == TS_OK)
+		status = share_moves(sim, l, before, n);
+	if (status == TS_OK)
+		drop_bodies(l);
+	ts_free(before);
+	return status;
 }
 
 bool ts_ledger_is_deleted(const struct ts_ledger *l, int32_t tag)
@@ -99,22 +138,12 @@ bool ts_ledger_is_deleted(const struct ts_ledger *l, int32_t tag)
 	while (lo < hi) {
 		size_t middle = (lo + hi) / 2;
 
-		if (l->gone[middle] < tag)
+		if (l->gone[middle][0] < tag)
 			lo = middle + 1;
 		else
 			hi = middle;
 	}
-	return lo < l->ngone && l->gone[lo] == tag;
-}
-
-void ts_ledger_drop_bodies(struct ts_ledger *l)
-{
-	size_t kept = 0;
-
-	for (size_t b = 0; b < l->ncounted; b++)
-		if (!ts_ledger_is_deleted(l, l->counted[b].tag))
-			l->counted[kept++] = l->counted[b];
-	l->ncounted = kept;
+	return lo < l->ngone && l->gone[lo][0] == tag;
 }
 
 /* ---- notes of bonds: each is on one rank, or all are on all */

@@ -24,13 +24,14 @@ static double body_energy(const struct ts_body *b)
 	return 0.5 * b->mass * ts_dot(b->v, b->v) + body_rotation(b);
 }
 
-/* Of several ranks that have members of a body, that of the first one counts it. */
+/* Of several ranks that have members of a body, that of the first one counts it. It has none if they were deleted after
+ * bodies were checked. */
 static bool counts_body(const struct tsim *sim, size_t b)
 {
 	const struct ts_rigid *rigid = sim->rigid;
 
-	return !sim->division || (rigid->start[b] < rigid->start[b + 1] &&
-				  (size_t)rigid->member[rigid->start[b]] < sim->particles->n);
+	return rigid->start[b] < rigid->start[b + 1] &&
+	       (size_t)rigid->member[rigid->start[b]] < sim->particles->n;
 }
 
 static void find_body_energies(const struct ts_body *b, double energy[2])
@@ -43,7 +44,6 @@ static enum ts_status note_bodies(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_rigid *rigid = sim->rigid;
 
-	TS_TRY(ts_rigid_list(sim));
 	l->ncounted = 0;
 	if (TS_GROW(l->counted, l->counted_capacity, rigid->n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -52,7 +52,8 @@ static enum ts_status note_bodies(struct tsim *sim, struct ts_ledger *l)
 
 		if (!counts_body(sim, b))
 			continue;
-		note->tag = sim->particles->tag[rigid->member[rigid->start[b]]];
+		note->id = rigid->id[b];
+		note->members = rigid->size[b];
 		find_body_energies(&rigid->body[b], note->energy);
 		l->ncounted++;
 	}
@@ -67,19 +68,13 @@ static bool particles_move(const struct tsim *sim)
 
 static enum ts_status add_bodies(struct tsim *sim, struct ts_ledger *l, struct ts_exactsum out[2])
 {
-	const struct ts_rigid *rigid = sim->rigid;
-	double energy[2];
-
-	if (sim->division && !particles_move(sim))
+	if (!sim->division || !particles_move(sim)) {
+		TS_TRY(ts_rigid_list(sim));
 		TS_TRY(note_bodies(sim, l));
-	for (size_t b = 0; b < (sim->division ? l->ncounted : rigid->n); b++) {
-		const double *of = sim->division ? l->counted[b].energy : energy;
-
-		if (!sim->division)
-			find_body_energies(&rigid->body[b], energy);
-		for (int k = 0; k < 2; k++)
-			ts_exactsum_add(&out[k], of[k]);
 	}
+	for (size_t b = 0; b < l->ncounted; b++)
+		for (int k = 0; k < 2; k++)
+			ts_exactsum_add(&out[k], l->counted[b].energy[k]);
 	return TS_OK;
 }
 
