@@ -370,8 +370,8 @@ static enum ts_status account_late_forces(struct tsim *sim, struct ts_ledger *l)
 static enum ts_status find_deleted(struct tsim *sim, struct ts_ledger *l, bool *any)
 {
 	*any = l->stepping && !sim->division && sim->particles->n < l->n;
-	return sim->division && sim->acted.stage == TS_STAGE_EXCHANGE ? ts_ledger_find_deleted(sim, l, any) :
-									TS_OK;
+	return sim->division && sim->acted.stage == TS_STAGE_EXCHANGE ? ts_ledger_find_deleted(sim, l, any)
+								      : TS_OK;
 }
 
 /* Outside the kick stages any change of velocities or masses is a direct change by the acting style. With several ranks

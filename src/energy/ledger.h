@@ -169,11 +169,11 @@ struct ts_ledger {
 	struct ts_exactsum own_kinetic[2]; /* of this rank, at the last look */
 	struct ts_ledger_body *counted;
 	size_t ncounted, counted_capacity;
-	bool relisted;	    /* the lists have been made again for other particles */
+	bool relisted; /* the lists have been made again for other particles */
 	/* identities and bodies: of the own particles before they moved to other ranks; of those that were deleted then */
 	int32_t (*seen)[2], (*gone)[2];
 	size_t nseen, seen_capacity, ngone, gone_capacity;
-	int64_t all; /* particles of all ranks then */
+	int64_t all;		  /* particles of all ranks then */
 	struct ts_parcel missing; /* bonds that may be broken */
 };
 
@@ -188,7 +188,8 @@ enum ts_status ts_ledger_enter(struct tsim *sim, struct ts_ledger *l, const stru
 /* Makes the entries with the sums of all ranks. */
 enum ts_status ts_ledger_post(struct tsim *sim, struct ts_ledger *l);
 /* Entry: adds the value to the account at this offset of struct ts_ledger. */
-ts_ledger_post_fn ts_ledger_post_account;
+enum ts_status ts_ledger_post_account(struct tsim *sim, struct ts_ledger *l,
+				      const struct ts_ledger_entry *entry, const double *value);
 
 /* ledger_ranks.c. Before particles move to other ranks. */
 enum ts_status ts_ledger_before_exchange(struct tsim *sim, struct ts_ledger *l);

@@ -59,7 +59,7 @@ struct posting {
 	struct tsim *sim;
 	struct ts_ledger *l;
 	int64_t (*integer)[TS_EXACTSUM_INTEGERS]; /* of all sums */
-	int64_t *sent;				  /* of those of entries that are made, from `first` to `last` */
+	int64_t *sent; /* of those of entries that are made, from `first` to `last` */
 	double *agreed, *value;
 	size_t first, last, nsent;
 };

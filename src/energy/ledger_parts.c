@@ -243,8 +243,9 @@ static enum ts_status account_wall_contact(struct tsim *sim, struct ts_ledger *l
 	add_energy(sums, parts.energy, 1, p->tag[i] > l->newest);
 	before = stored_wall_history(sim, l, wall, k);
 	if (l->stepping && before)
-		ts_exactsum_add(&sums->of[SLIP], ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt,
-							  before, ts_wall_memory(&wall->contacts, k)));
+		ts_exactsum_add(&sums->of[SLIP],
+				ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt, before,
+					     ts_wall_memory(&wall->contacts, k)));
 	memcpy(entry.energy, parts.energy, sizeof parts.energy);
 	l->plastic[TS_LEDGER_WALL] |= is_inelastic(view.model);
 	return append_note(sim, &l->note, &l->notes, &l->note_capacity, entry);
@@ -463,7 +464,9 @@ enum ts_status ts_ledger_account_removed(struct tsim *sim, struct ts_ledger *l)
 	const struct ts_ledger_entry walls = { .post = post_removed,
 					       .at = (size_t)ts_ledger_store(TS_LEDGER_WALL, 0),
 					       .n = TS_NCONTACT_STORE },
-				     bonds = { .post = post_removed, .at = TS_LEDGER_BOND, .n = TS_BOND_MODES };
+				     bonds = { .post = post_removed,
+					       .at = TS_LEDGER_BOND,
+					       .n = TS_BOND_MODES };
 	struct absence a = { .l = l, .divided = sim->division != NULL };
 
 	if (!a.divided)

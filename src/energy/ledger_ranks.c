@@ -226,9 +226,9 @@ static enum ts_status pack_differences(const struct tsim *sim, struct ts_ledger 
 	size_t k = 0, b = 0;
 
 	while (k < l->bonds || b < bonds->n) {
-		int order = k == l->bonds ? 1 :
-			    b == bonds->n ? -1 :
-					    compare_tags(l->bond[k].tag, bonds->tag[b]);
+		int order = k == l->bonds   ? 1
+			    : b == bonds->n ? -1
+					    : compare_tags(l->bond[k].tag, bonds->tag[b]);
 
 		if (order < 0) {
 			TS_TRY(add_row(l, l->bond[k].tag, NOTED, 0, total_energy(&l->bond[k])));
@@ -259,8 +259,8 @@ static int compare_rows(const void *a, const void *b)
 
 	if (tags)
 		return tags;
-	return p->kind != q->kind ? (p->kind > q->kind) - (p->kind < q->kind) :
-				    (p->order > q->order) - (p->order < q->order);
+	return p->kind != q->kind ? (p->kind > q->kind) - (p->kind < q->kind)
+				  : (p->order > q->order) - (p->order < q->order);
 }
 
 /* Elastic energy lost with the bond of rows first .. end-1: ledger_parts.c. */

@@ -88,8 +88,7 @@ enum ts_status ts_ledger_kinetic(struct tsim *sim, struct ts_ledger *l, struct t
 			continue;
 		ts_exactsum_add(&out[0], 0.5 * p->mass[i] * ts_dot(p->v[i], p->v[i]));
 		if (p->omega)
-			ts_exactsum_add(&out[1],
-					0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]));
+			ts_exactsum_add(&out[1], 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]));
 	}
 	return add_bodies(sim, l, out);
 }
@@ -270,8 +269,7 @@ static void account_body(struct kick *k, size_t b, bool final)
 	if (!counts_body(k->sim, b))
 		return;
 	if (!all_directions_free(before)) /* fixed directions */
-		ts_exactsum_add(&k->sum[HELD],
-				body_energy(&after) - body_energy(before) - k->h * power);
+		ts_exactsum_add(&k->sum[HELD], body_energy(&after) - body_energy(before) - k->h * power);
 	ts_exactsum_add(&k->sum[TURNING], body_energy(&rigid->body[b]) - body_energy(&after));
 }
 

@@ -305,6 +305,7 @@ function insertion(   at) {
 }
 
 function outputs(   columns) {
+	if (seed % 3 == 0) print "fix books all energy/ledger every 7 file ${out}.books tolerance 1"
 	print "compute er all erotate/sphere"
 	print "compute top all reduce max z vx"
 	columns = "step atoms ke c_er c_top[1] nbuild" wall_forces bonded warmth streams

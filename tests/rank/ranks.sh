@@ -80,7 +80,6 @@ resumed() {
 lines='newton|neighbor|neigh_modify|communicate|fix|pair|timestep|compute|variable|thermo|dump|print'
 resumed "$scenes/in.bed" 400 500 "$lines"
 resumed "$scenes/in.drum" 400 400 "$lines"
-sed '/energy\/ledger/d' "$top_srcdir/tests/decks/in.insertion" >in.insertion
 grep -Ev '^dump (bl|bs|bb|pg)|^compute (bl|bp|pgl)' "$scenes/in.rock" >in.block
 resumed in.block 300 300 "$lines|bond_|special_bonds"
 resumed "$scenes/in.springs" 301 299 "$lines|bond_"
@@ -93,7 +92,7 @@ resumed "$scenes/in.mill" 410 390 "$lines"
 resumed "$scenes/in.sorted" 420 280 "$lines|region[[:space:]]+(part|lower|middle|ball)"
 resumed "$scenes/in.sieve" 213 387 "$lines"
 resumed "$scenes/in.waves" 420 280 "$lines|region[[:space:]]+(tray|lump|paddle|low)"
-resumed in.insertion 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
+resumed "$top_srcdir/tests/decks/in.insertion" 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
@@ -119,7 +118,7 @@ refused() {
 	report "$what: alone it runs" $? out
 }
 integrate='fix 1 all nve'
-refused 'a fix' 5:11 'fix energy/ledger does not work with several ranks' 'fix f all energy/ledger' "$integrate"
+refused 'a fix' 5:11 'fix couple/cfd does not work with several ranks' 'fix f all couple/cfd couple_every 10 mpi' "$integrate"
 refused 'a variable of all particles' 6:19 "'v_g' is a value that depends on all particles" 'variable g equal 1+ke' \
 	'fix g all gravity v_g vector 0 0 -1' "$integrate"
 refused 'a variable that draws' 7:20 "'v_f' is a value that depends on all particles" 'variable g equal random(0,1,5)' \
