@@ -106,7 +106,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 		bonds->event_energy[bonds->nevents - 1] = spring_energy(sim, b);
 	if (bonds->breaks[b] > 1)
 		e->mode = bonds->breaks[b] - TS_BOND_BREAKS_BY(0);
-	return ts_bonds_note_event(bonds, b) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	return TS_OK;
 }
 
 enum ts_status ts_bonds_break(struct tsim *sim)

@@ -18,23 +18,25 @@ size_t ts_bonds_count(const struct ts_bonds *b)
 /* ---- the bonds of a rank */
 
 /* All ranks have all bonds. */
-static enum ts_status begin_division(struct ts_bonds *b)
+static void begin_division(struct ts_bonds *b)
 {
 	struct ts_bond_ranks *r = &b->ranks;
 
-	TS_TRY(TS_GROW(r->number, r->number_capacity, b->n));
-	for (size_t k = 0; k < b->n; k++)
-		r->number[k] = (uint32_t)k;
 	r->divided = true;
 	r->all = (int64_t)b->n;
+	r->created = b->created;
 	r->broken = b->broken;
 	r->events = b->nevents;
-	return TS_OK;
 }
 
-/* Row of the particle, own or copy; -1: neither. */
-static int32_t row_of(const struct tsim *sim, const struct ts_identities *own,
-		      const struct ts_copy_map *copies, int32_t tag)
+void ts_bonds_divide(struct tsim *sim)
+{
+	if (sim->division && !sim->bonds->ranks.divided)
+		begin_division(sim->bonds);
+}
+
+int32_t ts_bonds_row_of(const struct tsim *sim, const struct ts_identities *own,
+			const struct ts_copy_map *copies, int32_t tag)
 {
 	int32_t row = ts_identity_row(own, tag);
 
@@ -52,7 +54,7 @@ static void find_rows(const struct tsim *sim, struct ts_bonds *b, const struct t
 
 	for (size_t k = 0; k < b->n; k++) {
 		for (int s = 0; s < 2; s++)
-			b->row[k][s] = row_of(sim, own, copies, b->tag[k][s]);
+			b->row[k][s] = ts_bonds_row_of(sim, own, copies, b->tag[k][s]);
 		drop[k] = b->row[k][0] < 0 || b->row[k][1] < 0 || (b->row[k][0] >= n && b->row[k][1] >= n);
 	}
 }
@@ -63,8 +65,7 @@ enum ts_status ts_bonds_connect_own(struct tsim *sim, struct ts_bonds *b)
 	struct ts_identities own;
 	unsigned char *drop;
 
-	if (!b->ranks.divided && begin_division(b) != TS_OK)
-		return ts_nomem(&sim->error);
+	ts_bonds_divide(sim);
 	TS_TRY(ts_identities(sim, false, &own));
 	if (ts_copy_map_make(sim, &copies) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -148,27 +149,19 @@ static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool resu
 	return TS_OK;
 }
 
-/* Sorts the bonds as they were before they were divided; of those that came with both of their particles, or were here
- * before, one is kept. */
-static enum ts_status sort_by_number(struct ts_bonds *b)
+/* Of the bonds that came with both of their particles, or were here before, one is kept. */
+static enum ts_status remove_repeated(struct ts_bonds *b)
 {
-	uint64_t *key = ts_alloc(2 * b->n, sizeof *key);
 	unsigned char *twice = ts_alloc(b->n, 1);
-	enum ts_status status = key && twice ? TS_OK : TS_NOMEM;
 
-	for (size_t k = 0; status == TS_OK && k < b->n; k++)
-		key[k] = (uint64_t)b->ranks.number[k] << 32 | k;
-	if (status == TS_OK) {
-		ts_sort_keys(key, key + b->n, b->n);
-		status = ts_bonds_reorder(b, key);
-	}
-	for (size_t k = 1; status == TS_OK && k < b->n; k++)
-		twice[k] = b->ranks.number[k] == b->ranks.number[k - 1];
-	if (status == TS_OK)
-		ts_bonds_delete(b, twice);
-	ts_free(key);
+	if (!twice)
+		return TS_NOMEM;
+	ts_bonds_sort(b);
+	for (size_t k = 1; k < b->n; k++)
+		twice[k] = ts_bonds_compare_tags(b->tag[k], b->tag[k - 1]) == 0;
+	ts_bonds_delete(b, twice);
 	ts_free(twice);
-	return status;
+	return TS_OK;
 }
 
 static enum ts_status append_rows(struct tsim *sim, struct ts_bonds *b, const struct ts_carried *rows)
@@ -200,7 +193,7 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 		return TS_OK;
 	if (ts_carried_count(rows)) {
 		TS_TRY(append_rows(sim, b, rows));
-		if (sort_by_number(b) != TS_OK)
+		if (remove_repeated(b) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
 	b->ranks.divided = sim->division != NULL;
@@ -214,7 +207,6 @@ const struct ts_carrier ts_bonds_carrier = { .give = give, .take = take };
 struct row {
 	struct ts_bond_event event;
 	double energy;
-	uint32_t number;
 };
 
 /* In the order in which one rank records them: by steps, in a step bonds that are too hot first, then by bonds. */
@@ -225,18 +217,39 @@ static int compare_rows(const void *a, const void *b)
 
 	if (p->event.step != q->event.step)
 		return p->event.step < q->event.step ? -1 : 1;
-	return hot ? -hot : (p->number > q->number) - (p->number < q->number);
+	return hot ? -hot : ts_bonds_compare_tags(p->event.tag, q->event.tag);
 }
 
-enum ts_status ts_bonds_note_event(struct ts_bonds *b, size_t bond)
+/* Orders events by steps, in a step those of bonds that break before the contact list is built first. */
+static int compare_with(const struct ts_bond_event *e, int64_t step, const int32_t tag[2])
 {
-	struct ts_bond_ranks *r = &b->ranks;
+	if (e->step != step)
+		return e->step < step ? -1 : 1;
+	if (e->mode == TS_BOND_HEATED || e->mode == TS_BOND_CUT)
+		return -1;
+	return ts_bonds_compare_tags(e->tag, tag);
+}
 
-	if (!r->divided)
-		return TS_OK;
-	TS_TRY(TS_GROW(r->event_number, r->event_capacity, b->nevents - r->events));
-	r->event_number[b->nevents - r->events - 1] = r->number[bond];
-	return TS_OK;
+static bool broke_now(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
+{
+	const struct ts_bonds *b = sim->bonds;
+	const int32_t tag[2] = { tag_a < tag_b ? tag_a : tag_b, tag_a < tag_b ? tag_b : tag_a };
+	size_t lo = 0, hi = b->nevents;
+
+	while (lo < hi) {
+		size_t middle = (lo + hi) / 2;
+
+		if (compare_with(&b->event[middle], sim->clock.step, tag) < 0)
+			lo = middle + 1;
+		else
+			hi = middle;
+	}
+	return lo < b->nevents && compare_with(&b->event[lo], sim->clock.step, tag) == 0;
+}
+
+bool ts_bonds_were_listed(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
+{
+	return ts_bonds_has_old(sim->bonds, tag_a, tag_b) || broke_now(sim, tag_a, tag_b);
 }
 
 static enum ts_status pack_events(const struct ts_bonds *b, struct ts_parcel *out)
@@ -247,7 +260,6 @@ static enum ts_status pack_events(const struct ts_bonds *b, struct ts_parcel *ou
 		memset(&row, 0, sizeof row);
 		row.event = b->event[k];
 		row.energy = b->event_energy[k];
-		row.number = b->ranks.event_number[k - b->ranks.events];
 		TS_TRY(ts_parcel_add(out, &row, sizeof row));
 	}
 	return TS_OK;
@@ -291,16 +303,17 @@ enum ts_status ts_bonds_join(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_bonds *b = self->state;
 	struct ts_bond_ranks *r = &b->ranks;
-	enum { ALL, BROKEN, NUMBERS };
-	int64_t number[NUMBERS] = { [BROKEN] = b->broken - r->broken };
+	enum { ALL, CREATED, BROKEN, NUMBERS };
+	int64_t number[NUMBERS] = { [CREATED] = b->created - r->created, [BROKEN] = b->broken - r->broken };
 
 	if (!r->divided)
 		return TS_OK;
 	for (size_t k = 0; k < b->n; k++)
 		number[ALL] += (size_t)b->row[k][0] < sim->particles->n;
 	ts_world_sums(sim->world, number, NUMBERS);
+	b->created = r->created += number[CREATED];
 	b->broken = r->broken += number[BROKEN];
-	b->gone += r->all - number[ALL] - number[BROKEN];
+	b->gone += r->all + number[CREATED] - number[ALL] - number[BROKEN];
 	r->all = number[ALL];
 	return number[BROKEN] ? join_events(sim, b) : TS_OK;
 }

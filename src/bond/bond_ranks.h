@@ -7,26 +7,31 @@
 #include "core/sim.h"
 
 struct ts_bonds;
+struct ts_identities;
 
 struct ts_bond_ranks {
 	bool divided; /* the list has the bonds of this rank only */
-	uint32_t
-		*number; /* [n] if divided: place of each bond in the list of all ranks when it was divided */
-	uint32_t *event_number; /* of the bonds of the events from `events` on */
-	size_t number_capacity, event_capacity;
 	/* bonds of all ranks, and what ts_bonds had, when all ranks had the same numbers the last time */
-	int64_t all, broken;
+	int64_t all, created, broken;
 	size_t events;
 };
 
 /* Number of bonds, of all ranks. */
 size_t ts_bonds_count(const struct ts_bonds *bonds);
 
+/* While the particles are divided: the list, which is whole only if there are no bonds yet, is that of this rank from now on.
+ * All ranks call it before one of them adds a bond. */
+void ts_bonds_divide(struct tsim *sim);
+/* Row of the particle, own or copy; -1: neither. */
+int32_t ts_bonds_row_of(const struct tsim *sim, const struct ts_identities *own,
+			const struct ts_copy_map *copies, int32_t tag);
 /* Of a divided list, or one that is divided now: keeps the bonds of particles of this rank whose partners are still there,
  * and finds the rows of both partners. */
 enum ts_status ts_bonds_connect_own(struct tsim *sim, struct ts_bonds *bonds);
-/* Notes which bond the last event is of. */
-enum ts_status ts_bonds_note_event(struct ts_bonds *bonds, size_t b);
+
+/* Whether particles were bonded when the contact list was built that is now made again for other particles: has a bond that is
+ * not fresh, or one that broke by its force in this step. */
+bool ts_bonds_were_listed(const struct tsim *sim, int32_t tag_a, int32_t tag_b);
 
 /* Slot `join`: numbers and events become those of all ranks. */
 enum ts_status ts_bonds_join(struct ts_instance *self, struct tsim *sim);

@@ -5,6 +5,7 @@
 
 #include "math/quaternion.h"
 #include "math/vec3.h"
+#include "particle/copies.h"
 #include "particle/identity.h"
 #include "particle/orientation.h"
 
@@ -48,18 +49,27 @@ static bool is_set(const struct ts_bond_reference *r)
 enum ts_status ts_bond_reference_complete(struct tsim *sim)
 {
 	struct ts_bonds *b = sim->bonds;
-	struct ts_identities map;
+	struct ts_identities own;
+	struct ts_copy_map copies;
 
 	if (!b->transmits || !b->n)
 		return TS_OK;
-	TS_TRY(ts_identities(sim, false, &map));
+	TS_TRY(ts_identities(sim, false, &own));
+	if (ts_copy_map_make(sim, &copies) != TS_OK)
+		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++) {
-		int32_t row[2] = { ts_identity_row(&map, b->tag[k][0]), ts_identity_row(&map, b->tag[k][1]) };
+		int32_t row[2];
 
-		if (is_set(&b->reference[k]) || row[0] < 0 || row[1] < 0)
+		if (is_set(&b->reference[k]))
+			continue;
+		for (int s = 0; s < 2; s++)
+			row[s] = ts_bonds_row_of(sim, &own, &copies, b->tag[k][s]);
+
+		if (row[0] < 0 || row[1] < 0)
 			continue;
 		take_reference(sim, k, (size_t[2]){ (size_t)row[0], (size_t)row[1] });
 	}
+	ts_copy_map_release(&copies);
 	return TS_OK;
 }
 

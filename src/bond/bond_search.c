@@ -8,6 +8,7 @@
 #include "geom/pointhash.h"
 #include "neigh/coincide.h"
 #include "neigh/neigh.h"
+#include "particle/copies.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -39,8 +40,12 @@ static enum ts_status consider_pair(struct query *q, size_t j)
 	size_t i = q->i;
 	double d[3], distance;
 
-	if (p->tag[j] <= p->tag[i]) /* found from the other side */
-		return TS_OK;
+	if (p->tag[j] <= p->tag[i]) {
+		if (j < p->n || p->tag[j] == p->tag[i]) /* found from the other side, or itself */
+			return TS_OK;
+		i = j;
+		j = q->i;
+	}
 	distance = ts_bond_separation(q->sim, i, j, d);
 	if (!(distance < q->reach) || !q->wanted(q->context, q->sim, i, j, distance) ||
 	    ts_bonds_has(q->sim->bonds, p->tag[i], p->tag[j]))
@@ -78,7 +83,7 @@ static enum ts_status fill(struct tsim *sim, int group, double reach, struct ts_
 	const struct ts_particles *p = sim->particles;
 
 	TS_TRY(ts_pointhash_start(hash, reach));
-	for (size_t i = 0; i < p->n; i++) {
+	for (size_t i = 0; i < p->n + ts_copies(sim); i++) {
 		if (!ts_in_group(p, i, group))
 			continue;
 		row[hash->n] = i;
@@ -92,7 +97,7 @@ static enum ts_status find_partners(struct query *q, const struct ts_pointhash *
 	const struct ts_box *box = &q->sim->domain->box;
 	double far = q->reach + excursion(q->sim, hash);
 
-	for (size_t k = 0; k < hash->n; k++) {
+	for (size_t k = 0; k < hash->n && q->row[k] < q->sim->particles->n; k++) {
 		q->i = q->row[k];
 		for (int n = 0; n < 27; n++) {
 			double image[3];
@@ -123,7 +128,7 @@ enum ts_status ts_bond_search(struct tsim *sim, int group, double reach, ts_bond
 			      struct ts_bond_candidates *out)
 {
 	struct ts_pointhash hash = { 0 };
-	size_t *row = ts_alloc(sim->particles->n, sizeof *row);
+	size_t *row = ts_alloc(sim->particles->n + ts_copies(sim), sizeof *row);
 	struct query q = { sim, row, reach, wanted, context, where, out, 0, TS_OK };
 	enum ts_status status = row ? TS_OK : ts_nomem(&sim->error);
 
@@ -136,6 +141,13 @@ enum ts_status ts_bond_search(struct tsim *sim, int group, double reach, ts_bond
 	if (status == TS_OK)
 		sort_candidates(out);
 	return status;
+}
+
+enum ts_status ts_bonds_add_pair(struct tsim *sim, const struct ts_bond_candidate *pair, int type)
+{
+	TS_TRY(ts_bonds_add(sim, pair->tag[0], pair->tag[1], type, pair->distance));
+	sim->bonds->created -= pair->row[0] >= sim->particles->n;
+	return TS_OK;
 }
 
 enum ts_status ts_bonds_added(struct tsim *sim)

@@ -9,6 +9,7 @@
 #include "math/vec3.h"
 #include "neigh/coincide.h"
 #include "neigh/neigh.h"
+#include "particle/division.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 
@@ -58,9 +59,18 @@ enum ts_status ts_bonds_build_index(struct tsim *sim)
 	return TS_OK;
 }
 
+/* Whether the contact list of the run is made again for other particles (particle/division.h). */
+static bool is_remaking(const struct tsim *sim)
+{
+	const struct ts_division *d = sim->particles->division;
+
+	return d && d->rebuilding;
+}
+
 static bool are_bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 {
-	return ts_bonds_has(sim->bonds, tag_a, tag_b);
+	return is_remaking(sim) ? ts_bonds_were_listed(sim, tag_a, tag_b)
+				: ts_bonds_has(sim->bonds, tag_a, tag_b);
 }
 
 static void connect_bonds(struct tsim *sim)
@@ -121,7 +131,10 @@ enum ts_status ts_bonds_connect(struct tsim *sim)
 /* After a rebuild local indices have changed, and particles may have left. */
 static enum ts_status update_partner_indices(struct ts_instance *self, struct tsim *sim)
 {
-	(void)self;
+	struct ts_bonds *b = self->state;
+
+	if (b->n && !is_remaking(sim))
+		memset(b->fresh, 0, b->n);
 	return ts_bonds_connect(sim);
 }
 
@@ -180,6 +193,8 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 	TS_TRY(ts_archive_fixed(a, "type", TS_SAVED_I32, b->type, b->n));
 	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
+	if (!ts_archive_writing(a) && b->n)
+		memset(b->fresh, 1, b->n);
 	TS_TRY(archive_moments(sim, b, a));
 	TS_TRY(archive_damage(sim, b, a));
 	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
@@ -236,6 +251,7 @@ static void release_bonds(struct ts_instance *self)
 	ts_free(b->row);
 	ts_free(b->tension);
 	ts_free(b->breaks);
+	ts_free(b->fresh);
 	ts_free(b->reference);
 	ts_free(b->load);
 	ts_free(b->damage);
@@ -245,8 +261,6 @@ static void release_bonds(struct ts_instance *self)
 	ts_bond_rows_release(&b->rows);
 	ts_free(b->event);
 	ts_free(b->event_energy);
-	ts_free(b->ranks.number);
-	ts_free(b->ranks.event_number);
 }
 
 static enum ts_status count_bonds(struct tsim *sim, double *out)

@@ -71,6 +71,8 @@ struct ts_bonds {
 	bool softens;
 	bool shown;	       /* an output may read tensions at any step: they are stored in each step */
 	unsigned char *breaks; /* per bond: breaks in this step */
+	unsigned char
+		*fresh; /* per bond: created after the contact list was built, which may have its pair */
 	/* work lost in bonds that yield or soften, in this step; of those whose first particle is one of this rank */
 	struct ts_exactsum flow;
 
@@ -155,15 +157,15 @@ static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_insta
  * list by ts_bonds_sort after a series. */
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
 void ts_bonds_sort(struct ts_bonds *bonds);
-bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* sorted list */
+int ts_bonds_compare_tags(const int32_t a[2], const int32_t b[2]);		   /* the order of the list */
+bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b);	   /* sorted list */
+bool ts_bonds_has_old(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* which is not fresh */
 /* Makes the arrays of bonds that transmit moments, or frees them. */
 enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments);
 /* The same for bonds that soften. */
 enum ts_status ts_bonds_soften(struct tsim *sim, bool softens);
 /* Removes the bonds whose flag is set. */
 void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
-/* Bond k becomes bond key[k], of which the lower 32 bits count. TS_OK or TS_NOMEM. */
-enum ts_status ts_bonds_reorder(struct ts_bonds *bonds, const uint64_t *key);
 enum ts_status ts_bonds_reserve(struct tsim *sim, size_t n);
 enum ts_status ts_bonds_reserve_events(struct tsim *sim, size_t n);
 

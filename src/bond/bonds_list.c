@@ -22,10 +22,9 @@ static enum ts_status reserve_bonds(struct ts_bonds *b, size_t n)
 	GROW_COLUMN(row);
 	GROW_COLUMN(tension);
 	GROW_COLUMN(breaks);
+	GROW_COLUMN(fresh);
 #undef GROW_COLUMN
 	b->capacity = capacity;
-	if (b->ranks.divided)
-		TS_TRY(TS_GROW(b->ranks.number, b->ranks.number_capacity, n));
 	if (b->softens) {
 		TS_TRY(TS_GROW(b->damage, b->damage_capacity, n));
 		TS_TRY(TS_GROW(b->lost, b->lost_capacity, n));
@@ -90,6 +89,7 @@ enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int 
 	b->type[b->n] = type;
 	b->rest[b->n] = rest;
 	b->tension[b->n] = 0;
+	b->fresh[b->n] = 1;
 	if (b->transmits) {
 		b->reference[b->n] = (struct ts_bond_reference){ 0 };
 		b->load[b->n] = (struct ts_bond_load){ 0 };
@@ -129,10 +129,10 @@ size_t ts_bond_columns(const struct ts_bonds *b, struct ts_bond_column column[TS
 		{ b->type, sizeof *b->type, true },
 		{ b->rest, sizeof *b->rest, true },
 		{ b->tension, sizeof *b->tension, true },
+		{ b->fresh, sizeof *b->fresh, true },
 		{ b->reference, sizeof *b->reference, b->transmits },
 		{ b->load, sizeof *b->load, b->transmits },
 		{ b->damage, sizeof *b->damage, b->softens },
-		{ b->ranks.number, sizeof *b->ranks.number, b->ranks.divided },
 	};
 	size_t n = 0;
 
@@ -143,7 +143,7 @@ size_t ts_bond_columns(const struct ts_bonds *b, struct ts_bond_column column[TS
 	return n;
 }
 
-static int compare_tags(const int32_t a[2], const int32_t b[2])
+int ts_bonds_compare_tags(const int32_t a[2], const int32_t b[2])
 {
 	if (a[0] != b[0])
 		return a[0] < b[0] ? -1 : 1;
@@ -159,12 +159,13 @@ struct place {
 static int compare_places(const void *a, const void *b)
 {
 	const struct place *p = a, *q = b;
-	int c = compare_tags(p->tag, q->tag);
+	int c = ts_bonds_compare_tags(p->tag, q->tag);
 
 	return c ? c : (p->from > q->from) - (p->from < q->from);
 }
 
-enum ts_status ts_bonds_reorder(struct ts_bonds *b, const uint64_t *key)
+/* Bond k becomes bond order[k].from. */
+static enum ts_status reorder(struct ts_bonds *b, const struct place *order)
 {
 	struct ts_bond_column column[TS_BOND_COLUMNS];
 	size_t n = ts_bond_columns(b, column), widest = 0;
@@ -179,7 +180,7 @@ enum ts_status ts_bonds_reorder(struct ts_bonds *b, const uint64_t *key)
 		const size_t size = column[c].size;
 
 		for (size_t k = 0; k < b->n; k++)
-			memcpy(room + k * size, (char *)column[c].data + (uint32_t)key[k] * size, size);
+			memcpy(room + k * size, (char *)column[c].data + order[k].from * size, size);
 		memcpy(column[c].data, room, b->n * size);
 	}
 	ts_free(room);
@@ -189,7 +190,7 @@ enum ts_status ts_bonds_reorder(struct ts_bonds *b, const uint64_t *key)
 static bool is_sorted(const struct ts_bonds *b)
 {
 	for (size_t k = 1; k < b->n; k++)
-		if (compare_tags(b->tag[k - 1], b->tag[k]) > 0)
+		if (ts_bonds_compare_tags(b->tag[k - 1], b->tag[k]) > 0)
 			return false;
 	return true;
 }
@@ -197,41 +198,49 @@ static bool is_sorted(const struct ts_bonds *b)
 void ts_bonds_sort(struct ts_bonds *b)
 {
 	struct place *order;
-	uint64_t *key;
 
 	if (is_sorted(b))
 		return;
 	order = ts_alloc(b->n, sizeof *order);
-	key = ts_alloc(b->n, sizeof *key);
 	for (size_t k = 0; order && k < b->n; k++)
 		order[k] = (struct place){ { b->tag[k][0], b->tag[k][1] }, (uint32_t)k };
-	if (order && key) { /* the order only matters for the speed of look-up and for reproducible lists */
+	if (order) { /* the order only matters for the speed of look-up and for reproducible lists */
 		ts_sort(order, b->n, sizeof *order, compare_places);
-		for (size_t k = 0; k < b->n; k++)
-			key[k] = order[k].from;
-		(void)ts_bonds_reorder(b, key);
+		(void)reorder(b, order);
 	}
 	ts_free(order);
-	ts_free(key);
 }
 
-bool ts_bonds_has(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)
+/* The bond of two particles; n: there is none. */
+static size_t find_bond(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)
 {
 	int32_t wanted[2] = { tag_a < tag_b ? tag_a : tag_b, tag_a < tag_b ? tag_b : tag_a };
 	size_t lo = 0, hi = b->n;
 
 	while (lo < hi) {
 		size_t mid = (lo + hi) / 2;
-		int c = compare_tags(b->tag[mid], wanted);
+		int c = ts_bonds_compare_tags(b->tag[mid], wanted);
 
 		if (c == 0)
-			return true;
+			return mid;
 		if (c < 0)
 			lo = mid + 1;
 		else
 			hi = mid;
 	}
-	return false;
+	return b->n;
+}
+
+bool ts_bonds_has(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)
+{
+	return find_bond(b, tag_a, tag_b) < b->n;
+}
+
+bool ts_bonds_has_old(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)
+{
+	size_t k = find_bond(b, tag_a, tag_b);
+
+	return k < b->n && !b->fresh[k];
 }
 
 void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)

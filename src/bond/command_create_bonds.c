@@ -114,7 +114,7 @@ static enum ts_status create_many(struct tsim *sim, const struct create_bonds *c
 	enum ts_status status;
 
 	ts_exchange_hold(sim);
-	TS_TRY(ts_exchange_borders(sim, c->rmax, c->rmax));
+	TS_TRY(ts_exchange_borders(sim, c->rmax, c->rmax, c->rmax));
 	status = ts_cells_fill(sim, &cells, c->rmax);
 	for (int l = 0; status == TS_OK && l < cells.nlevels; l++)
 		for (size_t i = 0; status == TS_OK && i < p->n; i++)

@@ -13,6 +13,7 @@
 #include "law/bond_local_damping.h"
 #include "law/bond_section.h"
 #include "material/property.h"
+#include "neigh/neigh.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -114,8 +115,7 @@ static enum ts_status add_bonds(struct tsim *sim, const struct ts_bond_candidate
 	for (size_t k = 0; k < found->n; k++) {
 		const struct ts_bond_candidate *c = &found->pair[k];
 
-		TS_TRY(ts_bonds_add(sim, c->tag[0], c->tag[1],
-				    ts_cohesive_type(p->type[c->row[0]], p->type[c->row[1]]), c->distance));
+		TS_TRY(ts_bonds_add_pair(sim, c, ts_cohesive_type(p->type[c->row[0]], p->type[c->row[1]])));
 	}
 	return found->n ? ts_bonds_added(sim) : TS_OK;
 }
@@ -133,6 +133,7 @@ static enum ts_status create_bonds(struct ts_instance *self, struct tsim *sim)
 	s->created = sim->clock.step + 1;
 	if (!(reach > 0))
 		return TS_OK;
+	ts_bonds_divide(sim);
 	status = ts_bond_search(sim, 0, reach, is_near, &s->bond, &self->where, &found);
 	if (status == TS_OK)
 		status = add_bonds(sim, &found);
@@ -166,6 +167,9 @@ static enum ts_status read_materials(struct ts_instance *self, struct tsim *sim)
 			s->bond.coeffs.given[t] = true;
 		}
 	sim->bonds->rows.filled = false;
+	if (!(s->when <= (double)sim->clock.step)) /* in later steps, or all */
+		sim->neigh->centre_reach =
+			fmax(sim->neigh->centre_reach, largest_create_distance(sim, &s->bond));
 	return TS_OK;
 }
 
@@ -234,6 +238,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_cohesion)
 const struct ts_bond_style ts_bond_cohesion = {
 	.style = { .name = "cohesion",
 		   .kind = TS_KIND_BOND,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "the bonds of pair_style gran with `cohesion bond`",
 		   .doc = "This bond style is chosen by `pair_style gran ... cohesion bond`, which takes its "
 			  "keywords. In the step tsCreateBond, or in each step with `createBondAlways on`, "

@@ -133,7 +133,7 @@ enum ts_status ts_rank_report(struct tsim *sim, const struct ts_plan_report *rep
 	enum ts_status status = pairs ? TS_OK : ts_nomem(&sim->error);
 
 	if (status == TS_OK)
-		status = ts_rank_layout_make(sim, ranks, sim->neigh->ghost_reach, &layout);
+		status = ts_rank_layout_make(sim, ranks, sim->neigh->copy_reach, &layout);
 	if (status == TS_OK) {
 		size_t all = count_pairs(sim, &layout, pairs);
 		struct facts facts;

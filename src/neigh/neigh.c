@@ -65,7 +65,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->describe_contacts = describe_contacts;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_CONTACTS;
 	nb->builds = 0;
-	nb->fix_reach = 0;
+	nb->fix_reach = nb->centre_reach = 0;
 	nb->skin_observed = nb->keep_forces = false; /* outputs that do set them in their init, after this */
 	nb->keep_forces_every = 0;
 	nb->contacts.active_chosen = false; /* types of particles may have been changed */
@@ -227,7 +227,7 @@ ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)
 static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_neigh *nb = self->state;
-	double least, largest, reach, image_reach;
+	double least, largest, reach, image_reach, ghost_reach;
 
 	ts_neigh_radii(sim, &least, &largest);
 	nb->least_radius = least;
@@ -244,8 +244,9 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		if (!sim->run.relist)
 			ts_leaving_hold(sim);
 	}
-	nb->ghost_reach = 2 * largest + nb->built_skin + image_reach;
-	TS_TRY(ts_exchange_borders(sim, nb->ghost_reach,
+	ghost_reach = 2 * largest + nb->built_skin + image_reach;
+	nb->copy_reach = fmax(ghost_reach, nb->centre_reach + nb->built_skin);
+	TS_TRY(ts_exchange_borders(sim, ghost_reach, nb->copy_reach,
 				   2 * largest + fmax(nb->given_skin, nb->built_skin) + image_reach));
 	nb->builds += !(sim->particles->division && sim->particles->division->rebuilding);
 	/* a continued run rebuilds at the steps at which an uninterrupted one would */

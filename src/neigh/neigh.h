@@ -43,11 +43,11 @@ struct ts_neigh_callbacks {
 };
 
 struct ts_neigh {
-	double skin;	    /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
-	bool fixed_skin;    /* `neighbor ... fixed yes`: the skin is never less either */
-	double built_skin;  /* skin of the present list, length */
-	double ghost_reach; /* distance from the box or block up to which there are ghosts, length */
-	double given_skin;  /* ts_neigh_skin when the list was built, length */
+	double skin;	   /* largest skin, length; <= 0: chosen from the radii, see ts_neigh_skin */
+	bool fixed_skin;   /* `neighbor ... fixed yes`: the skin is never less either */
+	double built_skin; /* skin of the present list, length */
+	double copy_reach; /* distance from a block up to which its rank has copies of particles, length */
+	double given_skin; /* ts_neigh_skin when the list was built, length */
 	struct ts_drift_frame frame; /* displacements are measured relative to it */
 	double mean_velocity[3];     /* ts_drift_frame_speeds.centre when the list was built */
 	double least_radius;	     /* smallest radius then, length */
@@ -60,6 +60,9 @@ struct ts_neigh {
 	/* largest gap, length, up to which fixes act between particles: ghosts reach as far. Set in their init,
 	 * to the largest of all */
 	double fix_reach;
+	/* largest distance of centres, length, up to which styles look for particles in steps in which these are divided among
+	 * ranks: copies reach as far. Set in their init, to the largest of all */
+	double centre_reach;
 	int64_t builds;		   /* number of builds in this run */
 	bool wanted;		   /* some live style needs contacts */
 	bool contacts_first;	   /* contact forces are the first to be added in a step */

@@ -377,11 +377,11 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 	return TS_OK;
 }
 
-enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most)
+enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double copies, double most)
 {
 	sim->particles->nghost = 0;
 	if (sim->division)
-		TS_TRY(ts_copies_make(sim, cutoff));
+		TS_TRY(ts_copies_make(sim, copies));
 	else if (!sim->particles->n) /* a box for a fluid alone may be smaller than the skin */
 		return TS_OK;
 	for (int k = 0; k < sim->dimension; k++) { /* in two dimensions there are no images in z */

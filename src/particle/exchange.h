@@ -14,9 +14,10 @@ enum ts_status ts_exchange_migrate(struct tsim *sim);
 /* Stores the present positions (xhold) and box as those from which the contact list is built. */
 void ts_exchange_hold(struct tsim *sim);
 
-/* Creates ghosts of all particles whose xhold lies within `cutoff` of a periodic face. Fails if the box is
- * shorter than `most`, the largest cutoff that the run may need. */
-enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most);
+/* Creates ghosts of all particles whose xhold lies within `cutoff` of a periodic face and, while the particles are divided, of
+ * those within `copies` >= cutoff of the block of this rank. Fails if the box is shorter than `most`, the largest cutoff
+ * that the run may need. */
+enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double copies, double most);
 
 /* Updates positions, velocities and the other TS_COL_FORWARD columns of the ghosts. */
 void ts_exchange_forward(struct tsim *sim);

@@ -248,7 +248,7 @@ static void rebuild(struct tsim *sim)
 	ck_assert_int_eq(ts_exchange_migrate(sim), TS_OK);
 	ts_particles_inverse_mass(p);
 	memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
-	ck_assert_int_eq(ts_exchange_borders(sim, 0.4, 0.4), TS_OK);
+	ck_assert_int_eq(ts_exchange_borders(sim, 0.4, 0.4, 0.4), TS_OK);
 	ck_assert_int_eq(ts_contact_list_build(sim, &sim->neigh->contacts, 0.05, NULL), TS_OK);
 }
 

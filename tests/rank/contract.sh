@@ -16,6 +16,10 @@ for deck in insertion rigid tracers heat pour clumps receding surface_heat; do c
 # Height fields, one of which is pressed on a plane.
 sed 's/^dump_modify.*/&\ncompute pressed all surface\/contact rough winkler 1e6 pressure 5e3\ncompute pi all active\/pi pressed radius 0.005 fraction 0.1 deviation 0.001 hardness 1e9\ncompute pml all active\/pml pressed radius 0.005 fraction 0.1/
 	s/^thermo_style.*/& c_pressed c_pi c_pml/' "$decks/in.voxels" >in.voxels
+# Bonds that contacts make and that break at once, in a periodic box; bonded particles have no contacts.
+sed '/energy\/ledger/d; s/ f_books.*//; s/^boundary.*/boundary p p p/; s/^newton.*/&\nspecial_bonds lj 0 1 1/
+	s/createDistanceBond.*/createDistanceBond peratomtypepair 2 0.02 0.0821 0.0821 0.02/; s/random(-1,1,4711)/random(-6,6,4711)/
+	s/random 200/random 300/; s/overlap 0.08/overlap 0.085/; s/6e4/1e5/g' "$decks/in.cohesion_bonds" >in.glue
 # Files that libraries and other programs write.
 awk '/^run/ && !n++ { print "dump film all movie 60 ${out}.mp4 type type size 80 80\ndump track all h5md 60 ${out}.h5 position velocity radius" }
 	{ print }' "$scenes/in.outlet" >in.film
@@ -58,6 +62,7 @@ asked() {
 
 # The styles of all scenes: "KIND STYLE".
 awk '$1 ~ /^(fix|compute|dump)$/ { print $1, $4 } $1 == "region" { print $1, $3 }
+	/ cohesion bond/ { print "bond cohesion" }
 	$1 ~ /^(pair|bond|flow|pressure|automaton)_style$/ { sub(/_style/, "", $1); print $1, $2 }' in.* | sort -u >covered
 
 : >table
@@ -98,7 +103,7 @@ files_of() {
 }
 film=film # needs HDF5 and ffmpeg
 "$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
-for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet fluid submerged cg direct multigrid sor insertion pour rock springs beams cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm sticky; do
+for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet fluid submerged cg direct multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm sticky; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \

@@ -189,6 +189,16 @@ for scene in look glued; do
 done
 same 'bonds of particles' one.dump many.dump
 
+# Bonds that have just broken keep their particles apart until the next list: also where the list is made for outputs.
+sed '/^dump/d; /^thermo/d; /^run/d; s/^velocity all create.*/velocity all create 0.6 87287 dist gaussian/' "$scenes/in.beams" >in.torn
+printf '%s\n' 'fix near all check/timestep/bond 2 0.9 warn no' 'thermo_style custom step brokenbonds f_near[3]' 'thermo 2' 'run 30' >>in.torn
+"$TSIM" -in in.torn -log log.one -screen none >out 2>&1
+report 'torn bonds: one process' $? out
+ranks 2 -in in.torn -log log.many -screen none
+rows log.one >rows.one
+rows log.many >rows.many
+same 'torn bonds: limits of the time step' rows.one rows.many
+
 # The main example: seeding, settling, bonds, a bit in a fluid that carries cuttings out.
 drilling() {
 	"$@" "$TSIM" -in "$top_srcdir/examples/drilling/in.drilling" -log drilling.log -screen none -var out "$folder" \
