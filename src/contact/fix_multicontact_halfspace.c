@@ -1,5 +1,6 @@
 /* Fix multicontact/halfspace: elastic interaction between the contacts of one particle. */
 #include "contact/multicontact.h"
+#include "core/report.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -27,7 +28,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 
-	(void)report;
+	report->copied.messages += 2;
+	report->copied.bytes += sizeof(uint32_t) + ts_multicontact_bytes(sim);
 	if ((pair && ((const struct ts_pair *)pair->state)->model.multi) ||
 	    sim->neigh->multicontact_walls->any(sim))
 		return TS_OK;
@@ -80,6 +82,7 @@ TS_STYLE(fix, ts_style, ts_fix_multicontact_halfspace)
 const struct ts_style ts_fix_multicontact_halfspace = {
 	.name = "multicontact/halfspace",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN,
 	.summary = "lets the contacts of a particle displace its surface at its other contacts, as on an "
 		   "elastic half space",
 	.doc = doc,

@@ -1,6 +1,7 @@
 #include "contact/multicontact.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/parallel.h"
 #include "material/property.h"
@@ -47,7 +48,8 @@ static void contact_point(const struct ts_contact_list *list, const struct ts_pa
 
 	ts_sub(p->x[i], p->x[j], d);
 	distance = ts_norm(d);
-	*gap = distance - p->radius[i] - p->radius[j];
+	/* the same bits whichever particle comes first */
+	*gap = distance - fmax(p->radius[i], p->radius[j]) - fmin(p->radius[i], p->radius[j]);
 	ts_scale(distance > 0 ? (side ? -1 : 1) / distance : 0, d, e);
 	ts_scale(-(p->radius[side ? j : i] + 0.5 * *gap), e, point);
 }
@@ -73,7 +75,7 @@ static enum ts_status count_loads(struct ts_multicontact *m, const struct tsim *
 	const struct ts_gather *g = &list->gather;
 	size_t n = sim->particles->n;
 
-	if (TS_GROW(m->first, m->first_capacity, n + 1) != TS_OK ||
+	if (TS_GROW(m->first, m->first_capacity, n + ts_copies(sim) + 1) != TS_OK ||
 	    TS_GROW(m->next, m->next_capacity, n + 1) != TS_OK)
 		return TS_NOMEM;
 	for (size_t i = 0; i < n; i++) {
@@ -105,6 +107,26 @@ static enum ts_status collect_loads(struct ts_multicontact *m, struct tsim *sim,
 					load_of_pair(pair, list, sim->particles, g->entry[k] >> 1,
 						     (int)(g->entry[k] & 1));
 	return sim->neigh->multicontact_walls->collect(m, sim, where);
+}
+
+/* Appends the loads on copies. */
+static enum ts_status get_loads_of_copies(struct ts_multicontact *m, struct tsim *sim)
+{
+	const size_t n = sim->particles->n, copies = ts_copies(sim);
+	size_t more;
+
+	if (!sim->division)
+		return TS_OK;
+	if (ts_copies_forward_rows(sim, sizeof *m->load, m->first, m->load, &m->copied) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < copies; k++)
+		m->first[n + k + 1] = m->first[n + k] + m->copied.count[k];
+	more = m->first[n + copies] - m->first[n];
+	if (TS_GROW(m->load, m->load_capacity, m->first[n + copies] + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (more)
+		memcpy(m->load + m->first[n], m->copied.rows.data, more * sizeof *m->load);
+	return TS_OK;
 }
 
 /* ---- displacements */
@@ -175,6 +197,7 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 	pair = pair && pair->model.multi ? pair : NULL;
 	ts_contacts_store_history(sim, list);
 	TS_TRY(collect_loads(m, sim, pair, where));
+	TS_TRY(get_loads_of_copies(m, sim));
 	if (!pair)
 		return TS_OK;
 	if (TS_GROW(m->bulge, m->bulge_capacity, list->n + 1) != TS_OK)
@@ -207,6 +230,17 @@ double ts_multicontact_at_wall(const struct tsim *sim, size_t i, const double e[
 	return surface_displacement(sim->neigh->multicontact, sim->particles, i, e, point, wall);
 }
 
+double ts_multicontact_bytes(const struct tsim *sim)
+{
+	const struct ts_contact_list *list = &sim->neigh->contacts;
+	size_t touching = 0;
+
+	for (size_t r = 0; r < list->n; r++)
+		touching += ts_contact_touches(list, r);
+	return (double)(2 * touching * sizeof(struct ts_multicontact_load)) /
+	       fmax((double)sim->particles->n, 1);
+}
+
 void ts_multicontact_release(struct ts_multicontact *m)
 {
 	if (m->neigh) {
@@ -219,6 +253,7 @@ void ts_multicontact_release(struct ts_multicontact *m)
 	ts_free(m->next);
 	ts_free(m->load);
 	ts_free(m->bulge);
+	ts_copied_rows_release(&m->copied);
 }
 
 enum ts_status ts_multicontact_check(struct tsim *sim, const struct ts_granular_model *model,

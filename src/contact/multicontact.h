@@ -6,12 +6,14 @@
 
 #include "contact/pair.h"
 #include "law/halfspace.h"
+#include "particle/copies.h"
 
 struct ts_wall;
 
 struct ts_multicontact_load {
 	struct ts_halfspace_load load;
-	const struct ts_wall *wall; /* the wall in contact; NULL: a contact of two particles */
+	/* the wall in contact; NULL: a contact of two particles. Of a load from another rank: whether it is NULL counts */
+	const struct ts_wall *wall;
 };
 
 struct ts_multicontact;
@@ -31,7 +33,9 @@ struct ts_multicontact {
 	int group;		      /* group of the particles whose surfaces are displaced */
 	struct ts_neigh *neigh;	      /* the neighbour list that refers to this */
 	double *compliance, *poisson; /* by type, from 1: compliance (law/halfspace.h), Poisson's ratio */
-	size_t *first, *next;	      /* loads on particle i: load[first[i]] .. load[first[i+1]-1] */
+	/* loads on particle i, own or copy: load[first[i]] .. load[first[i+1]-1] */
+	size_t *first, *next;
+	struct ts_copied_rows copied; /* loads on copies, from other ranks */
 	struct ts_multicontact_load *load;
 	struct ts_contact_bulge *bulge; /* by candidate pair */
 	size_t compliance_capacity, poisson_capacity, first_capacity, next_capacity, load_capacity,
@@ -47,6 +51,8 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 /* Displacement of the surface of particle i, length, at its contact with a wall in direction e. */
 double ts_multicontact_at_wall(const struct tsim *sim, size_t i, const double e[3], double distance,
 			       const struct ts_wall *wall);
+/* Bytes of the loads of an average particle, of its contacts with other particles. */
+double ts_multicontact_bytes(const struct tsim *sim);
 void ts_multicontact_release(struct ts_multicontact *m);
 
 /* Fails if the model has `surface multicontact` but the fix is missing; called in plans. */

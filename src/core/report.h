@@ -43,6 +43,11 @@ struct ts_plan_report {
 		int messages;
 		double bytes; /* of each of its particles */
 	} shared;
+	/* What it sends to each rank that has copies of its particles, besides their columns. */
+	struct ts_report_copied {
+		int messages;
+		double bytes; /* of each copy */
+	} copied;
 	struct ts_output *output;
 	size_t noutputs, output_capacity;
 };

@@ -64,8 +64,9 @@ static void find_facts(const struct tsim *sim, const struct ts_plan_report *repo
 		double of[NFACTS] = { [PARTICLES] = (double)part->particles,
 				      [COPIES] = (double)part->copies,
 				      [PAIRS] = (double)pairs[r],
-				      [MESSAGES] = (double)part->partners + report->shared.messages,
-				      [BYTES] = bytes * (double)part->sent +
+				      [MESSAGES] = (double)part->partners * (1 + report->copied.messages) +
+						   report->shared.messages,
+				      [BYTES] = (bytes + report->copied.bytes) * (double)part->sent +
 						report->shared.bytes * (double)part->particles };
 		double work = (1 - contacts) * (of[PARTICLES] + OF_COPY * of[COPIES]) / fmax(n, 1);
 

@@ -475,6 +475,73 @@ void ts_copies_forward(struct tsim *sim)
 	}
 }
 
+/* ---- rows of any number */
+
+/* Sends the numbers of rows. */
+static enum ts_status swap_counts(struct tsim *sim, const size_t *first, uint32_t *count)
+{
+	struct ts_copies *c = &sim->division->copies;
+	const int32_t *row = c->row;
+
+	for (int r = 0; r < sim->world->n; r++) {
+		c->out[r].n = c->in[r].n = 0;
+		for (size_t k = 0; k < c->sent[r]; k++, row++) {
+			const uint32_t n = (uint32_t)(first[*row + 1] - first[*row]);
+
+			TS_TRY(ts_parcel_add(&c->out[r], &n, sizeof n));
+		}
+		if (!ts_parcel_extend(&c->in[r], c->received[r] * sizeof *count))
+			return TS_NOMEM;
+	}
+	ts_world_swap(sim->world, c->out, c->in);
+	for (int r = 0; r < sim->world->n; r++) {
+		if (c->in[r].n)
+			memcpy(count, c->in[r].data, c->in[r].n);
+		count += c->received[r];
+	}
+	return TS_OK;
+}
+
+static enum ts_status swap_rows(struct tsim *sim, size_t bytes, const size_t *first, const void *rows,
+				struct ts_copied_rows *got)
+{
+	struct ts_copies *c = &sim->division->copies;
+	const int32_t *row = c->row;
+	const uint32_t *count = got->count;
+
+	for (int r = 0; r < sim->world->n; r++) {
+		size_t n = 0;
+
+		c->out[r].n = c->in[r].n = 0;
+		for (size_t k = 0; k < c->sent[r]; k++, row++)
+			TS_TRY(ts_parcel_add(&c->out[r], (const char *)rows + first[*row] * bytes,
+					     (first[*row + 1] - first[*row]) * bytes));
+		for (size_t k = 0; k < c->received[r]; k++)
+			n += *count++;
+		if (!ts_parcel_extend(&c->in[r], n * bytes))
+			return TS_NOMEM;
+	}
+	ts_world_swap(sim->world, c->out, c->in);
+	for (int r = 0; r < sim->world->n; r++)
+		TS_TRY(ts_parcel_add(&got->rows, c->in[r].data, c->in[r].n));
+	return TS_OK;
+}
+
+enum ts_status ts_copies_forward_rows(struct tsim *sim, size_t bytes, const size_t *first, const void *row,
+				      struct ts_copied_rows *got)
+{
+	got->rows.n = 0;
+	TS_TRY(TS_GROW(got->count, got->capacity, ts_copies(sim)));
+	TS_TRY(swap_counts(sim, first, got->count));
+	return swap_rows(sim, bytes, first, row, got);
+}
+
+void ts_copied_rows_release(struct ts_copied_rows *rows)
+{
+	ts_free(rows->count);
+	ts_parcel_release(&rows->rows);
+}
+
 /* ---- forces on members of bodies */
 
 static void pack_forces(const struct ts_particles *p, const int32_t *row, size_t n, struct ts_parcel *out)

@@ -52,6 +52,17 @@ enum ts_status ts_claims_add_body(struct tsim *sim, struct ts_claims *claims, in
 enum ts_status ts_copies_make(struct tsim *sim, double cutoff);
 /* Updates the columns that change in each step. */
 void ts_copies_forward(struct tsim *sim);
+/* Rows that copies get from their originals, of any number: count[k] for copy k, one copy after the other. */
+struct ts_copied_rows {
+	uint32_t *count;
+	struct ts_parcel rows;
+	size_t capacity;
+};
+/* Gets the rows of all copies; those of the own particle i are row first[i] .. first[i + 1] - 1, of `bytes` each. The particles
+ * are divided. TS_OK or TS_NOMEM. */
+enum ts_status ts_copies_forward_rows(struct tsim *sim, size_t bytes, const size_t *first, const void *row,
+				      struct ts_copied_rows *got);
+void ts_copied_rows_release(struct ts_copied_rows *rows);
 /* Updates force and torque of copies that are members of rigid bodies. */
 void ts_copies_forward_forces(struct tsim *sim);
 /* Bytes that this sends of each copy. */
