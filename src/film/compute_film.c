@@ -100,6 +100,7 @@ TS_STYLE(compute, ts_style, ts_compute_film)
 const struct ts_style ts_compute_film = {
 	.name = "film",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Pressure, load, friction and flows of the film of flow_style reynolds",
 	.doc = "The vector:\n\n"
 	       "  1            load: sum of p - ambient over the area, pushes the surfaces apart\n"

@@ -65,6 +65,7 @@ TS_STYLE(compute, ts_style, ts_compute_film_atom)
 const struct ts_style ts_compute_film_atom = {
 	.name = "film/atom",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Pressure, gap and velocity of the film of flow_style reynolds at each particle",
 	.doc = "For each particle of the group:\n\n"
 	       "  1            pressure of the film at its x and y\n"

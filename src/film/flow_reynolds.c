@@ -591,6 +591,7 @@ TS_STYLE(flow, ts_flow_style, ts_flow_reynolds)
 const struct ts_flow_style ts_flow_reynolds = {
 	.style = { .name = "reynolds",
 		   .kind = TS_KIND_FLOW,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "A thin film between two surfaces, by the Reynolds equation of lubrication",
 		   .purpose = "A lubrication film between two surfaces: bearings, sliding pads, polishing. "
 			      "It replaces the fluid of flow_style projection where the gap is thin.",
