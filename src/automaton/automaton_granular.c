@@ -428,6 +428,7 @@ TS_STYLE(automaton, ts_automaton_style, ts_automaton_granular)
 const struct ts_automaton_style ts_automaton_granular = {
 	.style = { .name = "granular",
 		   .kind = TS_KIND_AUTOMATON,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "Granular lubrication on a lattice, by rules for collisions",
 		   .doc = doc,
 		   .doc_more = doc_more,

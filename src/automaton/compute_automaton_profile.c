@@ -112,6 +112,7 @@ TS_STYLE(compute, ts_style, ts_compute_automaton_profile)
 const struct ts_style ts_compute_automaton_profile = {
 	.name = "automaton/profile",
 	.kind = TS_KIND_COMPUTE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Velocity, fill and granular temperature of an automaton across the gap",
 	.doc = "One row for each row of cells: y, the coordinate of its centre; u and v, the mean velocity "
 	       "of\n"

@@ -109,6 +109,8 @@ TS_STYLE(dump, ts_style, ts_dump_automaton_vtk)
 const struct ts_style ts_dump_automaton_vtk = {
 	.name = "automaton/vtk",
 	.kind = TS_KIND_DUMP,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+	.due = ts_dump_may_be_due,
 	.summary = "Writes the cells of an automaton to VTK files for ParaView",
 	.doc = "Image data (.vti), one layer of cells. Cell values: `state`, 0 empty, 1 granule, 2 obstacle, "
 	       "and\n"
