@@ -3,6 +3,7 @@
  * and writes by name; without such a program they stay zero.
  *
  * The names are those of LIGGGHTS: dragforce (3), Ksl, uf (3), convectiveHeatFlux. */
+#include "average/particle_tally.h"
 #include "core/report.h"
 
 #include <math.h>
@@ -56,14 +57,14 @@ struct field {
 };
 
 struct force {
-	const struct field *field; /* the columns that it exchanges */
+	struct ts_particle_tally total; /* the force on each particle in this step */
+	const struct field *field;	/* the columns that it exchanges */
 	int nfields;
 	double alpha; /* CrankNicolson; NaN: explicit */
 	double first; /* couple/cfd/convection: initial temperature, unused if fix heat/gran gives one */
 	const char *weight;
 	bool implicit, ready;
 	size_t column[MOST];
-	double sum[3]; /* force on all particles in this step */
 };
 
 enum { DRAG, COEFFICIENT, VELOCITY }; /* indices of columns; a heat flux is the only column of its fix */
@@ -163,18 +164,17 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct force *s = self->state;
 	struct ts_particles *p = sim->particles;
-	double f[3];
 
-	for (int d = 0; d < 3; d++)
-		s->sum[d] = 0;
+	TS_TRY(ts_particle_tally_start(sim, &s->total));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
+		double *f = s->total.note[i];
+
 		if (!ts_in_group(p, i, self->group))
 			continue;
 		coupling_force(s, sim, i, f);
-		for (int d = 0; d < 3; d++) {
+		for (int d = 0; d < 3; d++)
 			p->f[i][d] += f[d];
-			s->sum[d] += f[d];
-		}
 	}
 	return TS_OK;
 }
@@ -197,12 +197,18 @@ static enum ts_status plan_force(struct ts_instance *self, struct tsim *sim, str
 
 static enum ts_status eval_sum(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct force *s = self->state;
+	struct force *s = self->state;
+	const double *sum = ts_particle_tally_sums(&s->total);
 
 	(void)sim;
 	for (int d = 0; d < 3; d++)
-		out->data[d] = s->sum[d];
+		out->data[d] = sum[d];
 	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_particle_tally_release(&((struct force *)self->state)->total);
 }
 
 /* Columns that a fix shares with others of the family go to restart files with each of them. */
@@ -213,6 +219,12 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	for (int k = 0; k < s->nfields; k++)
 		TS_TRY(ts_particles_archive_column(a, sim, s->field[k].name, s->column[k]));
 	return TS_OK;
+}
+
+static enum ts_status archive_force(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	TS_TRY(archive(self, sim, a));
+	return ts_particle_tally_archive(a, &((struct force *)self->state)->total);
 }
 
 static enum ts_status init_convection(struct ts_instance *self, struct tsim *sim)
@@ -260,6 +272,7 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd)
 const struct ts_style ts_fix_couple_cfd = {
 	.name = "couple/cfd",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.family = FAMILY_PARTNER,
 	.summary = "Couples particles to a fluid that another program computes",
 	.doc = "Must precede the fixes couple/cfd/force, couple/cfd/force/implicit and "
@@ -271,7 +284,10 @@ const struct ts_style ts_fix_couple_cfd = {
 	       "f_dragforce[1], f_Ksl ...; restart files contain them.\n\n"
 	       "If a script is run without such a program the values are zero, as in LIGGGHTS, and a message "
 	       "is printed once. For a fluid that tsim itself solves for see flow_style and fix "
-	       "drag/gidaspow.",
+	       "drag/gidaspow.\n\n"
+	       "With several ranks (doc/ranks.md) the program has joined them by tsim_mpi_join; between "
+	       "steps each "
+	       "of its processes has all particles, and writes the same values to them.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit",
 	.args = partner_args,
@@ -286,6 +302,8 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force)
 const struct ts_style ts_fix_couple_cfd_force = {
 	.name = "couple/cfd/force",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = ts_particle_tally_join,
 	.summary = "Adds a force of the fluid on each particle, given by another program",
 	.doc = "f += dragforce, a vector of each particle that the program coupled to tsim writes (fix "
 	       "couple/cfd). f_ID is the sum of these forces over the group.",
@@ -293,10 +311,11 @@ const struct ts_style ts_fix_couple_cfd_force = {
 		   "fix drag all couple/cfd/force",
 	.args = none,
 	.state_size = sizeof(struct force),
-	.archive = archive,
+	.archive = archive_force,
 	.values = sums,
 	.init = init_force,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.fini = fini,
 };
 
 static const struct ts_arg implicit_args[] = {
@@ -309,6 +328,8 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force_implicit)
 const struct ts_style ts_fix_couple_cfd_force_implicit = {
 	.name = "couple/cfd/force/implicit",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = ts_particle_tally_join,
 	.summary = "Adds a drag from coefficients and fluid velocities given by another program",
 	.doc = "f += dragforce + Ksl (uf - v), evaluated in each step with the present velocity v of the "
 	       "particle, so that the force follows v between two exchanges. dragforce (vector), Ksl "
@@ -321,10 +342,11 @@ const struct ts_style ts_fix_couple_cfd_force_implicit = {
 		   "fix drag all couple/cfd/force/implicit CrankNicolson 0.5",
 	.args = implicit_args,
 	.state_size = sizeof(struct force),
-	.archive = archive,
+	.archive = archive_force,
 	.values = sums,
 	.init = init_implicit,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.fini = fini,
 	.plan = plan_force,
 };
 
@@ -338,6 +360,7 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd_convection)
 const struct ts_style ts_fix_couple_cfd_convection = {
 	.name = "couple/cfd/convection",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.summary = "Adds a convective heat flux to each particle, given by another program",
 	.doc = "convectiveHeatFlux, a value of each particle (energy/time) that the program coupled to tsim "
 	       "writes (fix couple/cfd), is added to the heat flux of fix heat/gran. That program reads the "

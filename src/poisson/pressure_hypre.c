@@ -52,6 +52,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_hypre)
 const struct ts_pressure_style ts_pressure_hypre = {
 	.style = { .name = "hypre",
 		   .kind = TS_KIND_PRESSURE,
+		   .ranks = TS_RANKS_OWN,
 		   .summary = "conjugate gradients with the multigrid preconditioner of the library hypre",
 		   .doc = "The iteration of pressure_style cg, with one V-cycle of PFMG of hypre as the\n"
 			  "preconditioner: semi-coarsening with Galerkin operators. It is about as fast as\n"
@@ -59,7 +60,9 @@ const struct ts_pressure_style ts_pressure_hypre = {
 			  "Available if tsim was configured with --with-hypre. hypre needs MPI, which is\n"
 			  "initialized for the one process when the style is first used. The number of "
 			  "cells\n"
-			  "along periodic axes must be a power of two. The solver uses one thread.",
+			  "along periodic axes must be a power of two. The solver uses one thread.\n"
+			  "With several ranks each solves the whole grid, and so gets the bits of one "
+			  "process.",
 		   .example = "pressure_style hypre",
 		   .cite = "R. D. Falgout and J. E. Jones, Multigrid Methods VI (2000) 101",
 		   .args = args,

@@ -28,7 +28,7 @@ sed 's/tangential history/& cohesion sjkr/; s/^pair_style/fix m5 all property\/g
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
 sed "s;^flow_style.*;flow_style stagnation axisymmetric point 0.03 0.02 0 normal 0 0 1 rate 20 profile viscous viscosity 2e-3 density 300;" in.stream >in.jet
 
-for solver in cg direct multigrid sor; do
+for solver in cg direct hypre multigrid sor; do
 	sed "s;^flow_boundary;pressure_style $solver\n&;" in.duct >in.$solver
 done
 
@@ -103,7 +103,9 @@ files_of() {
 }
 film=film # needs HDF5 and ffmpeg
 "$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
-for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil automaton fluid submerged cg direct multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm sticky multicontact; do
+hypre=hypre # needs hypre
+"$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
+for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil automaton fluid submerged cg direct $hypre multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
