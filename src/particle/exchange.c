@@ -354,14 +354,16 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
 	size_t present = p->n + p->nghost; /* ghosts of ghosts fill edges and corners */
 	const struct ts_shear *s = &sim->domain->box.shear;
-	bool some = present > 0 || sim->division; /* all ranks fail, or none */
+	bool sheared = s->on && dim == s->flow, some = false;
 
+	if ((sheared ? 2 : 1) * most > hi - lo) /* all ranks fail, or none */
+		some = ts_ranks_most(sim, present > 0) > 0;
 	if (most > hi - lo && some)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the periodic box is %g long in dimension %c, less than the reach %g of a "
 			       "contact: make it longer or the skin smaller",
 			       hi - lo, 'x' + dim, most);
-	if (s->on && dim == s->flow && 2 * most > hi - lo && some)
+	if (sheared && some)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the sheared periodic box is %g long in dimension %c, less than twice the "
 			       "reach %g of a contact: make it longer or the skin smaller",

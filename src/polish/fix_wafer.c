@@ -674,6 +674,7 @@ TS_STYLE(fix, ts_style, ts_fix_wafer)
 const struct ts_style ts_fix_wafer = {
 	.name = "wafer",
 	.kind = TS_KIND_FIX,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
 	.family = TS_FAMILY_FILM_PLANE,
 	.summary = "A wafer on a ball joint, pressed onto a polishing pad of springs",
 	.doc = doc,
