@@ -371,6 +371,8 @@ library_sources = \
 	src/coupling/axis_points.h \
 	src/coupling/cell_order.c \
 	src/coupling/cell_order.h \
+	src/coupling/cell_rows.c \
+	src/coupling/cell_rows.h \
 	src/coupling/coupling_force.c \
 	src/coupling/coupling_force.h \
 	src/coupling/drag_exchange.c \
@@ -511,6 +513,8 @@ library_sources = \
 	src/flow/boundary.h \
 	src/flow/boundary_formula.c \
 	src/flow/boundary_pressure.c \
+	src/flow/cell_owners.c \
+	src/flow/cell_owners.h \
 	src/flow/command_flow_boundary.c \
 	src/flow/command_flow_set.c \
 	src/flow/command_flow_style.c \

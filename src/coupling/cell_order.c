@@ -6,13 +6,33 @@
 #include "base/hash.h"
 #include "core/ranks.h"
 #include "coupling/interpolation_weights.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
 
-static uint64_t hash_grid(const struct ts_grid *grid)
+static void hash_blocks(struct ts_hash *hash, const struct ts_rank_blocks *b)
+{
+	size_t parts = 1;
+
+	ts_hash_add(hash, b->count, sizeof b->count);
+	if (b->bisection) {
+		for (int r = 0; r < b->count[0] - 1; r++) {
+			ts_hash_add(hash, &b->bisection[r].dim, sizeof b->bisection[r].dim);
+			ts_hash_add(hash, &b->bisection[r].at, sizeof b->bisection[r].at);
+		}
+		return;
+	}
+	for (int d = 0; d < 3; parts *= (size_t)b->count[d++])
+		ts_hash_add(hash, b->cut[d], parts * ((size_t)b->count[d] + 1) * sizeof *b->cut[d]);
+}
+
+static uint64_t hash_grid(const struct ts_grid *grid, const struct ts_division *division)
 {
 	struct ts_hash hash = ts_hash_start();
+
+	if (division)
+		hash_blocks(&hash, &division->blocks);
 
 	ts_hash_add(&hash, grid->n, sizeof grid->n);
 	ts_hash_add(&hash, grid->periodic, sizeof grid->periodic);
@@ -23,14 +43,17 @@ static uint64_t hash_grid(const struct ts_grid *grid)
 
 /* Whether the grid is another one, or own particles have moved or changed since they were sorted; all is noted as it is
  * now. */
-static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid)
+static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid,
+			 int reach)
 {
 	const struct ts_particles *p = sim->particles;
-	const uint64_t grid = hash_grid(&fluid->grid);
+	const uint64_t grid = hash_grid(&fluid->grid, sim->division);
 	const bool divided = sim->division;
-	bool changed = sort->nlast != p->n || sort->grid != grid || sort->divided != divided;
+	bool changed = sort->nlast != p->n || sort->grid != grid || sort->divided != divided ||
+		       (divided && sort->reach < reach);
 
 	sort->divided = divided;
+	sort->reach = reach > sort->reach || sort->grid != grid ? reach : sort->reach;
 	sort->nlast = p->n;
 	sort->grid = grid;
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static) reduction(|| : changed)
@@ -48,107 +71,49 @@ static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, cons
 
 /* ---- rows */
 
-/* Of a particle, for all ranks. */
-struct row {
-	double x[3], radius;
-	int32_t tag;
-	uint32_t mask;
-};
-
 static void use_own(struct ts_cell_sort *sort, const struct ts_particles *p)
 {
-	sort->of = (struct ts_cell_rows){
-		.n = p->n, .x = (const double(*)[3])p->x, .radius = p->radius, .tag = p->tag, .mask = p->mask
-	};
-}
-
-static enum ts_status pack_rows(const struct ts_particles *p, struct ts_parcel *mine)
-{
-	struct row *to = (struct row *)(void *)ts_parcel_extend(mine, p->n * sizeof *to);
-
-	for (size_t i = 0; to && i < p->n; i++) {
-		to[i] = (struct row){ .radius = p->radius[i], .tag = p->tag[i], .mask = p->mask[i] };
-		memcpy(to[i].x, p->x[i], sizeof to[i].x);
-	}
-	return to ? TS_OK : TS_NOMEM;
-}
-
-/* Columns of n rows, one after the other: `gathered` has room for them behind the rows. */
-static enum ts_status take_rows(struct ts_cell_sort *sort, const struct row *from, size_t n)
-{
-	struct ts_parcel *to = &sort->gathered;
-	double *x, *radius;
-	uint32_t *mask;
-	int32_t *tag;
-
-	to->n = 0;
-	x = (double *)(void *)ts_parcel_extend(to, n * sizeof *from);
-	if (!x)
-		return TS_NOMEM;
-	radius = x + 3 * n;
-	tag = (int32_t *)(void *)(radius + n);
-	mask = (uint32_t *)(void *)(tag + n);
-	for (size_t r = 0; r < n; r++) {
-		memcpy(x + 3 * r, from[r].x, sizeof from[r].x);
-		radius[r] = from[r].radius;
-		tag[r] = from[r].tag;
-		mask[r] = from[r].mask;
-	}
-	sort->of.n = n;
-	sort->of.x = (const double(*)[3])x;
-	sort->of.radius = radius;
-	sort->of.tag = tag;
-	sort->of.mask = mask;
-	return TS_OK;
-}
-
-static enum ts_status gather_rows(struct ts_cell_sort *sort, struct tsim *sim)
-{
-	struct ts_parcel mine = { 0 }, all = { 0 };
-	enum ts_status status = pack_rows(sim->particles, &mine);
-
-	if (status == TS_OK)
-		status = ts_world_share_own(sim->world, &mine, &all, &sort->of.first);
-	sort->of.first /= sizeof(struct row);
-	if (status == TS_OK)
-		status = take_rows(sort, (const struct row *)(const void *)all.data,
-				   all.n / sizeof(struct row));
-	ts_parcel_release(&mine);
-	ts_parcel_release(&all);
-	return status;
+	sort->of = (struct ts_cell_rows){ .n = p->n,
+					  .own = p->n,
+					  .x = (const double(*)[3])p->x,
+					  .radius = p->radius,
+					  .tag = p->tag,
+					  .mask = p->mask };
 }
 
 /* ---- sort */
 
-static void find_cells(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid)
+/* Of the rows from .. of.n - 1. */
+static void find_cells(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid,
+		       size_t from)
 {
 	const struct ts_cell_rows *of = &sort->of;
 	const int *n = fluid->grid.n, most = 1 << TS_CELL_BITS;
 
-#pragma omp parallel for num_threads(ts_team(sim, of->n)) schedule(static)
-	for (size_t i = 0; i < of->n; i++) {
+#pragma omp parallel for num_threads(ts_team(sim, of->n - from)) schedule(static)
+	for (size_t i = from; i < of->n; i++) {
+		const double *x = ts_cell_rows_x(of, i);
 		double place[3];
 		int cell[3];
 
 		sort->cell[i] = -1;
 		sort->where[i] = TS_CELL_ELSEWHERE;
-		if (!ts_coupling_locate(fluid, of->x[i], place, cell))
+		if (!ts_coupling_locate(fluid, x, place, cell))
 			continue;
 		sort->cell[i] = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
-		if (memcmp(place, of->x[i], sizeof place) == 0 && cell[0] < most && cell[1] < most &&
-		    cell[2] < most)
+		if (memcmp(place, x, sizeof place) == 0 && cell[0] < most && cell[1] < most && cell[2] < most)
 			sort->where[i] = (uint64_t)cell[0] | (uint64_t)cell[1] << TS_CELL_BITS |
 					 (uint64_t)cell[2] << 2 * TS_CELL_BITS;
 	}
 }
 
-static void sort_cell(int32_t *row, size_t from, size_t to, const int32_t *tag)
+static void sort_cell(const struct ts_cell_rows *of, int32_t *row, size_t from, size_t to)
 {
 	for (size_t k = from + 1; k < to; k++) {
-		int32_t this = row[k];
+		int32_t this = row[k], tag = ts_cell_rows_tag(of, (size_t)this);
 		size_t at = k;
 
-		for (; at > from && tag[row[at - 1]] > tag[this]; at--)
+		for (; at > from && ts_cell_rows_tag(of, (size_t)row[at - 1]) > tag; at--)
 			row[at] = row[at - 1];
 		row[at] = this;
 	}
@@ -171,7 +136,7 @@ static void sort_particles(struct ts_cell_sort *sort, size_t ncells)
 		if (sort->cell[i] >= 0)
 			sort->row[start[sort->cell[i] + 1]++] = (int32_t)i;
 	for (size_t c = 0; c < ncells; c++)
-		sort_cell(sort->row, start[c], start[c + 1], sort->of.tag);
+		sort_cell(&sort->of, sort->row, start[c], start[c + 1]);
 }
 
 static enum ts_status make_room(struct ts_cell_sort *sort, size_t n, size_t ncells)
@@ -182,26 +147,54 @@ static enum ts_status make_room(struct ts_cell_sort *sort, size_t n, size_t ncel
 	return TS_GROW(sort->start, sort->start_capacity, ncells + 2);
 }
 
-static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, const struct ts_fluid *fluid)
+/* Finds the cells of the rows: of the own particles, then of those that other ranks send. */
+static enum ts_status make_rows(struct ts_cell_sort *sort, struct tsim *sim, struct ts_fluid *fluid, bool all)
 {
-	size_t ncells = ts_grid_cells(&fluid->grid);
-	bool changed;
+	const size_t own = sort->of.own, ncells = ts_grid_cells(&fluid->grid);
+
+	TS_TRY(make_room(sort, own, ncells));
+	find_cells(sort, sim, fluid, 0);
+	if (!sim->division)
+		return TS_OK;
+	if (!fluid->owners && !(fluid->owners = ts_alloc(1, sizeof *fluid->owners)))
+		return TS_NOMEM;
+	TS_TRY(ts_cell_owners_make(fluid->owners, sort->grid, &fluid->grid, &sim->division->blocks, all));
+	TS_TRY(ts_cell_senders_rows(&sort->senders, sim->world, fluid->owners, &fluid->grid, sort->reach,
+				    sort->cell, &sort->of));
+	TS_TRY(make_room(sort, sort->of.n, ncells));
+	find_cells(sort, sim, fluid, own);
+	return TS_OK;
+}
+
+/* Ranks have cells of their own where there are more particles than a few for each cell: then the values of cells are less
+ * to send than the particles of the other ranks. */
+static bool few_particles(const struct tsim *sim, const struct ts_grid *grid, double most)
+{
+	static const double FEW = 0.5;
+
+	return sim->world && most * sim->world->n < FEW * (double)ts_grid_cells(grid);
+}
+
+static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, struct ts_fluid *fluid,
+				 int reach)
+{
+	double most[2] = { 0, (double)sim->particles->n };
 
 	if (TS_GROW(sort->last, sort->last_capacity, sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	changed = ts_ranks_most(sim, note_changes(sort, sim, fluid)) > 0;
-	if (!sim->division)
-		use_own(sort, sim->particles);
-	else if (changed && gather_rows(sort, sim) != TS_OK)
-		return ts_nomem(&sim->error);
-	if (!changed)
+	most[0] = note_changes(sort, sim, fluid, reach);
+	ts_ranks_most_of(sim, most, 2);
+	if (!(most[0] > 0)) {
+		if (!sim->division)
+			use_own(sort, sim->particles);
 		return TS_OK;
-	if (make_room(sort, sort->of.n, ncells) != TS_OK) {
+	}
+	use_own(sort, sim->particles);
+	if (make_rows(sort, sim, fluid, few_particles(sim, &fluid->grid, most[1])) != TS_OK) {
 		sort->nlast = SIZE_MAX;
 		return ts_nomem(&sim->error);
 	}
-	find_cells(sort, sim, fluid);
-	sort_particles(sort, ncells);
+	sort_particles(sort, ts_grid_cells(&fluid->grid));
 	return TS_OK;
 }
 
@@ -233,16 +226,17 @@ static void cut_slabs(struct ts_cell_order *order, const struct ts_grid *grid, i
 	order->slab[order->nslabs] = order->sort->n;
 }
 
-enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, const struct ts_fluid *fluid,
+enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, struct ts_fluid *fluid,
 				  int group, int reach)
 {
 	struct ts_cell_sort *sort = find_sort(order, sim);
 
 	if (TS_GROW(order->slab, order->slab_capacity, ts_grid_cells(&fluid->grid) + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(sort_again(sort, sim, fluid));
+	TS_TRY(sort_again(sort, sim, fluid, reach));
 	order->sort = sort;
 	order->group = group;
+	order->fluid = fluid;
 	cut_slabs(order, &fluid->grid, reach);
 	return TS_OK;
 }
@@ -250,27 +244,30 @@ enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim,
 enum ts_status ts_cell_order_share(struct ts_cell_order *order, struct tsim *sim, const double *mine,
 				   size_t stride, size_t width, struct ts_cell_numbers *out)
 {
-	size_t n = sim->particles->n, bytes = width * sizeof(double);
-	struct ts_parcel own = { 0 };
-	enum ts_status status;
-	unsigned char *to;
+	struct ts_cell_sort *sort = find_sort(order, sim);
 
-	*out = (struct ts_cell_numbers){ mine, stride };
+	*out = (struct ts_cell_numbers){ .own = mine, .n = sort->of.own, .stride = stride, .width = width };
 	if (!sim->division)
 		return TS_OK;
-	to = ts_parcel_extend(&own, n * bytes);
-	for (size_t i = 0; to && i < n; i++)
-		memcpy(to + i * bytes, mine + stride * i, bytes);
 	order->shared.n = 0;
-	status = to ? ts_world_share(sim->world, &own, &order->shared) : TS_NOMEM;
-	ts_parcel_release(&own);
-	*out = (struct ts_cell_numbers){ (const double *)(const void *)order->shared.data, width };
-	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	if (ts_cell_senders_numbers(&sort->senders, sim->world, mine, stride, width, &order->shared) != TS_OK)
+		return ts_nomem(&sim->error);
+	out->other = (const double *)(const void *)order->shared.data;
+	return TS_OK;
+}
+
+enum ts_status ts_cell_order_spread(struct ts_cell_order *order, struct tsim *sim, double *field)
+{
+	if (!sim->division)
+		return TS_OK;
+	if (ts_cell_owners_share(order->fluid->owners, sim->world, &field, 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
 }
 
 void ts_cell_order_release(struct ts_cell_order *order)
 {
-	ts_parcel_release(&order->own.gathered);
+	ts_cell_senders_release(&order->own.senders);
 	ts_parcel_release(&order->shared);
 	ts_free(order->own.row);
 	ts_free(order->own.cell);
@@ -294,7 +291,7 @@ void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_
 			for (size_t k = order->slab[s]; k < order->slab[s + 1]; k++) {
 				size_t row = (size_t)order->sort->row[k];
 
-				if (order->sort->of.mask[row] >> order->group & 1)
+				if (ts_cell_rows_mask(&order->sort->of, row) >> order->group & 1)
 					add(context, row);
 			}
 	}

@@ -1,6 +1,6 @@
 /* Particles in the fluid sorted by cell and then by identity: sums over them do not depend on the order of
- * particles in memory or on the number of threads. While the particles are divided among ranks, all ranks sort those of
- * all ranks, and so have the same sums.
+ * particles in memory or on the number of threads. While the particles are divided among ranks, each sorts its own ones and
+ * those of other ranks that reach its cells: so it has the sums of its cells, with the bits of one rank.
  *
  * For adding to fields of the grid in parallel the cells are divided into slabs across the last axis,
  * thick enough that particles of every second slab write to different cells: these slabs are processed in
@@ -8,23 +8,14 @@
 #ifndef TS_COUPLING_CELL_ORDER_H
 #define TS_COUPLING_CELL_ORDER_H
 
+#include "coupling/cell_rows.h"
 #include "coupling/interpolation_weights.h"
 #include "flow/fluid.h"
-#include "rank/world.h"
 
-/* The particles that are sorted, of all ranks: one row each. */
-struct ts_cell_rows {
-	size_t n, first; /* first: row of the first own particle; the others follow in their order */
-	const double (*x)[3];
-	const double *radius;
-	const int32_t *tag;
-	const uint32_t *mask;
-};
-
-/* All particles of the simulation in the fluid, sorted. */
+/* Particles in the fluid, sorted. */
 struct ts_cell_sort {
 	struct ts_cell_rows of;
-	struct ts_parcel gathered; /* what `of` points to while the particles are divided among ranks */
+	struct ts_cell_senders senders; /* while the particles are divided among ranks */
 	bool divided;
 	/* indices of rows, sorted; cell of each row, or -1. Owned, as the arrays below */
 	int32_t *row, *cell;
@@ -37,7 +28,9 @@ struct ts_cell_sort {
 		int32_t tag;
 	} * last; /* [nlast] */
 	size_t nlast;
-	uint64_t grid; /* hash of the grid: another fluid may have the memory of the one before */
+	uint64_t
+		grid; /* hash of the grid and the blocks: another fluid may have the memory of the one before */
+	int reach;    /* number of cells beyond its own to which a particle adds */
 	size_t row_capacity, cell_capacity, where_capacity, start_capacity, last_capacity;
 };
 
@@ -48,7 +41,8 @@ struct ts_cell_order {
 	const struct ts_cell_sort *sort; /* `own`, or that of another fix */
 	int group;			 /* particles for which `add` is called */
 	struct ts_parcel shared;	 /* ts_cell_order_share */
-	size_t *slab;			 /* of each slab: its first index in `row`. Owned */
+	struct ts_fluid *fluid;
+	size_t *slab; /* of each slab: its first index in `row`. Owned */
 	int nslabs;
 	bool ring; /* periodic axis: the last slab is beside the first */
 	size_t slab_capacity;
@@ -56,7 +50,7 @@ struct ts_cell_order {
 
 /* Sorts the particles, and selects those of the group; `reach`: number of cells beyond its own to which a particle
  * adds. */
-enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, const struct ts_fluid *fluid,
+enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, struct ts_fluid *fluid,
 				  int group, int reach);
 void ts_cell_order_release(struct ts_cell_order *order);
 
@@ -70,7 +64,7 @@ static inline bool ts_cell_order_locate(const struct ts_cell_order *order, const
 					size_t row, double place[3], int cell[3])
 {
 	const uint64_t where = order->sort->where[row], mask = (UINT64_C(1) << TS_CELL_BITS) - 1;
-	const double *x = order->sort->of.x[row];
+	const double *x = ts_cell_rows_x(&order->sort->of, row);
 
 	if (where & TS_CELL_ELSEWHERE)
 		return ts_coupling_locate(fluid, x, place, cell);
@@ -81,21 +75,25 @@ static inline bool ts_cell_order_locate(const struct ts_cell_order *order, const
 	return true;
 }
 
-/* The same for the own particle i. */
-static inline bool ts_cell_order_locate_own(const struct ts_cell_order *order, const struct ts_fluid *fluid,
-					    size_t i, double place[3], int cell[3])
+/* Numbers of particles for `add`: those of row r are at ts_cell_numbers_of. */
+struct ts_cell_numbers {
+	const double *own, *other;
+	size_t n, stride, width; /* n: rows of own particles */
+};
+
+static inline const double *ts_cell_numbers_of(const struct ts_cell_numbers *numbers, size_t row)
 {
-	return ts_cell_order_locate(order, fluid, order->sort->of.first + i, place, cell);
+	return row < numbers->n ? numbers->own + numbers->stride * row
+				: numbers->other + numbers->width * (row - numbers->n);
 }
 
-/* Numbers of the own particles, `width` of particle i from mine[stride * i] on, for `add`, which finds those of a row r
- * at from[stride * r]. While the particles are divided all ranks call it, and get those of all ranks. */
-struct ts_cell_numbers {
-	const double *from;
-	size_t stride;
-};
+/* Of the own particles `width` numbers of particle i from mine[stride * i] on. While the particles are divided all ranks
+ * call it, and send what others need. */
 enum ts_status ts_cell_order_share(struct ts_cell_order *order, struct tsim *sim, const double *mine,
 				   size_t stride, size_t width, struct ts_cell_numbers *out);
+/* While the particles are divided all ranks call it after `add`: each gets the values of all cells from the ranks that have
+ * them. */
+enum ts_status ts_cell_order_spread(struct ts_cell_order *order, struct tsim *sim, double *field);
 
 /* Calls `add` for the row of each particle of the group, in parallel for particles that add to different cells. */
 typedef void ts_cell_order_fn(void *context, size_t row);

@@ -109,7 +109,7 @@ static void add_reaction(void *data, size_t row)
 {
 	const struct reactions *r = data;
 	struct ts_fluid *fluid = r->force->fluid;
-	const struct ts_coupling_reaction reaction = { r->of.from + r->of.stride * row,
+	const struct ts_coupling_reaction reaction = { ts_cell_numbers_of(&r->of, row),
 						       NULL,
 						       { true, true, true } };
 	struct ts_coupling_place at = { .how = TS_INTERPOLATE_LINEAR };
@@ -129,6 +129,7 @@ enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct t
 	TS_TRY(ts_cell_order_share(&s->order, sim, (const double *)s->total.note, TS_PARTICLE_TALLY_MOST, 3,
 				   &reactions.of));
 	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_reaction, &reactions);
+	s->fluid->apart = sim->division;
 	return TS_OK;
 }
 

@@ -24,7 +24,6 @@ double ts_drag_steps_to_fluid(const struct ts_drag *s)
 struct reactions {
 	struct ts_drag *drag;
 	struct ts_cell_numbers force, slope;
-	size_t first, n; /* rows of the own particles */
 };
 
 /* Adds the reaction to the drag on one particle to the fluid. */
@@ -34,53 +33,54 @@ static void add_reaction(void *context, size_t row)
 	struct ts_drag *s = r->drag;
 	struct ts_fluid *fluid = s->fluid;
 	struct ts_coupling_place at = { .how = (enum ts_coupling_interpolation)s->interpolation };
-	const size_t own = row - r->first;
-	const struct ts_coupling_reaction reaction = {
-		r->force.from + r->force.stride * row,
-		s->lagged ? NULL : r->slope.from + r->slope.stride * row,
-		{ ts_drag_acts_along(s, 0), ts_drag_acts_along(s, 1), ts_drag_acts_along(s, 2) }
-	};
+	const struct ts_coupling_reaction reaction = { ts_cell_numbers_of(&r->force, row),
+						       s->lagged ? NULL : ts_cell_numbers_of(&r->slope, row),
+						       { ts_drag_acts_along(s, 0), ts_drag_acts_along(s, 1),
+							 ts_drag_acts_along(s, 2) } };
 
 	if (ts_cell_order_locate(&s->order, fluid, row, at.x, at.cell))
 		ts_coupling_faces_react(fluid, &at, &reaction,
-					own < r->n ? s->exchange[own].fluid_velocity : NULL);
+					row < r->force.n ? s->exchange[row].fluid_velocity : NULL);
 }
 
 /* While the particles are divided among ranks: force and slope of a particle side by side, for one message. */
+static enum ts_status put_together(struct ts_drag *s, size_t n)
+{
+	TS_TRY(TS_RENEW_UNSET(s->both, s->both_capacity, n));
+	for (size_t i = 0; i < n; i++) {
+		memcpy(s->both[i], s->total.note[i], 3 * sizeof(double));
+		memcpy(s->both[i] + 3, s->exchange[i].slope, 3 * sizeof(double));
+	}
+	return TS_OK;
+}
+
 static enum ts_status share_reactions(struct ts_drag *s, struct tsim *sim, struct reactions *r)
 {
-	size_t n = sim->particles->n;
-	double(*both)[6] = sim->division ? ts_alloc(n, sizeof *both) : NULL;
-	enum ts_status status;
-
-	if (!sim->division)
-		return TS_OK;
-	if (!both)
-		return ts_nomem(&sim->error);
-	for (size_t i = 0; i < n; i++) {
-		memcpy(both[i], s->total.note[i], 3 * sizeof(double));
-		memcpy(both[i] + 3, s->exchange[i].slope, 3 * sizeof(double));
+	if (!sim->division) {
+		TS_TRY(ts_cell_order_share(&s->order, sim, (const double *)s->total.note,
+					   TS_PARTICLE_TALLY_MOST, 3, &r->force));
+		return ts_cell_order_share(&s->order, sim, (const double *)s->exchange, /* begins with it */
+					   sizeof *s->exchange / sizeof(double), 3, &r->slope);
 	}
-	status = ts_cell_order_share(&s->order, sim, (const double *)both, 6, s->lagged ? 3 : 6, &r->force);
-	r->slope = (struct ts_cell_numbers){ r->force.from + 3, r->force.stride };
-	ts_free(both);
-	return status;
+	if (put_together(s, sim->particles->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_cell_order_share(&s->order, sim, (const double *)s->both, 6, s->lagged ? 3 : 6, &r->force));
+	r->slope = r->force;
+	r->slope.own += 3;
+	r->slope.other += 3;
+	return TS_OK;
 }
 
 enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
-	struct reactions reactions = { .drag = s,
-				       .force = { (const double *)s->total.note, TS_PARTICLE_TALLY_MOST },
-				       .slope = { (const double *)s->exchange, /* begins with it */
-						  sizeof *s->exchange / sizeof(double) },
-				       .n = sim->particles->n };
+	struct reactions reactions = { .drag = s };
 
 	if (!s->sorted)
 		TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
 	TS_TRY(share_reactions(s, sim, &reactions));
-	reactions.first = s->order.sort->of.first;
 	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_reaction, &reactions);
+	s->fluid->apart = sim->division;
 	s->nexchange = sim->particles->n;
 	return TS_OK;
 }

@@ -408,6 +408,7 @@ void ts_drag_fini(struct ts_instance *self)
 	ts_cell_order_release(&s->order);
 	ts_particle_tally_release(&s->total);
 	ts_restraints_release(&s->restraints);
+	ts_free(s->both);
 	ts_free(s->exchange);
 	ts_free(s->relaxation);
 	ts_free(s->combined);

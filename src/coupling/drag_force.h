@@ -69,6 +69,8 @@ struct ts_drag {
 	struct ts_drag_combined *combined; /* of each particle, kept by the first of several drags. Owned */
 	size_t combined_capacity;
 	struct ts_cell_order order;
+	double (*both)[6]; /* force and slope of particles, as they are sent to other ranks */
+	size_t both_capacity;
 	bool sorted; /* `order` is that of the present positions: from the forces of a step to the reaction */
 	struct ts_drag_exchange *exchange; /* of each particle, if the fluid is solved for. Owned */
 	size_t exchange_capacity;

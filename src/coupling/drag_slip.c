@@ -46,7 +46,7 @@ static bool fluid_at(const struct ts_drag *s, const double x[3], size_t i, doubl
 	double place[3];
 	int cell[3];
 
-	if (!(s->sorted ? ts_cell_order_locate_own(&s->order, fluid, i, place, cell)
+	if (!(s->sorted ? ts_cell_order_locate(&s->order, fluid, i, place, cell)
 			: ts_coupling_locate(fluid, x, place, cell)))
 		return false;
 	if (s->interpolation != TS_INTERPOLATE_CELL) {

@@ -57,8 +57,8 @@ static void add_particle(void *data, size_t row)
 	int cell[3];
 
 	if (ts_cell_order_locate(&s->order, s->fluid, row, place, cell))
-		ts_coupling_volume_add(&s->fluid->grid, &how, place, cell, s->order.sort->of.radius[row],
-				       s->fluid->void_fraction);
+		ts_coupling_volume_add(&s->fluid->grid, &how, place, cell,
+				       ts_cell_rows_radius(&s->order.sort->of, row), s->fluid->void_fraction);
 }
 
 static double largest_radius(const struct ts_instance *self, const struct tsim *sim)
@@ -199,6 +199,7 @@ static enum ts_status make_field(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
 	memset(s->fluid->void_fraction, 0, s->fluid->grid.size * sizeof *s->fluid->void_fraction);
 	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_particle, &context);
+	TS_TRY(ts_cell_order_spread(&s->order, sim, s->fluid->void_fraction));
 	limit_void_fraction(self, sim);
 	ts_fluid_fill_centred(s->fluid, s->fluid->void_fraction);
 	return TS_OK;

@@ -1,5 +1,7 @@
 #include "flow/fluid.h"
 
+#include "base/alloc.h"
+
 #include "base/banned.h"
 
 static void release_vector(double *field[3])
@@ -32,6 +34,10 @@ void ts_fluid_release(struct ts_fluid *fluid)
 			fluid->pressure[d][side].plane = NULL;
 		}
 	ts_grid_release(&fluid->grid);
+	if (fluid->owners)
+		ts_cell_owners_release(fluid->owners);
+	ts_free(fluid->owners);
+	fluid->owners = NULL;
 }
 
 static enum ts_status allocate_field(const struct ts_grid *grid, double **field, double value)
@@ -77,6 +83,19 @@ enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim,
 	if (fields & TS_FLUID_P_MEAN && status == TS_OK)
 		status = allocate_field(grid, &fluid->p_mean, 0);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_fluid_share_sources(struct ts_fluid *fluid, struct tsim *sim)
+{
+	double *const field[] = { fluid->force[0],    fluid->force[1],	  fluid->force[2],
+				  fluid->exchange[0], fluid->exchange[1], fluid->exchange[2] };
+
+	if (!fluid->apart)
+		return TS_OK;
+	fluid->apart = false;
+	if (ts_cell_owners_share(fluid->owners, sim->world, field, sizeof field / sizeof *field) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
 }
 
 double ts_fluid_kick_fraction(const struct tsim *sim)

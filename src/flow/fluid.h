@@ -17,6 +17,7 @@
 #define TS_FLOW_FLUID_H
 
 #include "core/sim.h"
+#include "flow/cell_owners.h"
 #include "grid/grid.h"
 
 /* Boundary condition of a face of the grid. */
@@ -79,6 +80,9 @@ struct ts_fluid {
 	double *void_fraction_face[3]; /* e at lower faces; set by the fluid */
 	/* form conservative, at lower faces: e in the product e u after the last step */
 	double *momentum_void_fraction[3];
+	struct ts_cell_owners
+		*owners; /* while the particles are divided among ranks; owned. NULL: none yet */
+	bool apart; /* `force` and `exchange` have the sums of the particles in the cells of this rank only */
 	double *p_mean; /* mean of the pressure over the stages and substeps of the last step */
 
 	double dt;	   /* length of the last step of the fluid (time units); 0: there was none */
@@ -138,6 +142,9 @@ static inline double ts_flow_face_pressure_at(const struct ts_flow_face_pressure
 /* Allocates u and p on the grid, which exists; the fluid is at rest. */
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
+
+/* All ranks get `force` and `exchange` of all cells. */
+enum ts_status ts_fluid_share_sources(struct ts_fluid *fluid, struct tsim *sim);
 
 /* Fraction of a force that is added in END_OF_STEP which the velocities still receive before the next
  * forces are computed: 1/2 with velocity Verlet, whose first half kick has already been made, else 1. */

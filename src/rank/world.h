@@ -77,4 +77,8 @@ enum ts_status ts_world_share_own(struct ts_world *world, const struct ts_parcel
 enum ts_status ts_world_share_others(struct ts_world *world, const struct ts_parcel *mine,
 				     struct ts_parcel *others);
 
+/* The same as ts_world_share if the bytes of each rank are known. */
+enum ts_status ts_world_share_known(struct ts_world *world, const struct ts_parcel *mine,
+				    const uint64_t *size, struct ts_parcel *all);
+
 #endif

@@ -251,7 +251,7 @@ static void add_heat_source(void *data, size_t row)
 		return;
 	ts_coupling_weights_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &weights);
 	ts_coupling_distribute_force(&s->fluid->grid, &weights, -1, s->transport.value,
-				     c->rate.from[c->rate.stride * row] / (s->fluid->density * s->capacity),
+				     *ts_cell_numbers_of(&c->rate, row) / (s->fluid->density * s->capacity),
 				     0, s->transport.source, NULL);
 }
 
@@ -283,7 +283,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_cell_order_share(&s->order, sim, s->heat_rate, 1, 1, &context.rate));
 	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_heat_source, &context);
 	s->steps++;
-	return TS_OK;
+	return ts_cell_order_spread(&s->order, sim, s->transport.source);
 }
 
 /* ---- with each step of the fluid */
