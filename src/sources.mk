@@ -1180,6 +1180,8 @@ library_sources = \
 	src/poisson/conjugate_gradient.h \
 	src/poisson/direct.c \
 	src/poisson/direct.h \
+	src/poisson/direct_exchange.c \
+	src/poisson/direct_exchange.h \
 	src/poisson/hypre.c \
 	src/poisson/hypre.h \
 	src/poisson/multigrid.c \
@@ -1220,6 +1222,8 @@ library_sources = \
 	src/rank/blocks.h \
 	src/rank/loads.c \
 	src/rank/loads.h \
+	src/rank/slabs.c \
+	src/rank/slabs.h \
 	src/rank/world.c \
 	src/rank/world.h \
 	src/region/command_region.c \

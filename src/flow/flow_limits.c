@@ -186,16 +186,24 @@ struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	const struct weak_damping weak = find_weak_damping(p);
 	const struct rates faces = all_boundary_rates(fluid, &weak);
-	long rows = (long)grid->n[1] * grid->n[2];
+	long first, end;
 	double frequency = faces.frequency, growth = faces.growth, numbers = 0;
 
+	ts_slabs_rows(&p->slabs, grid->n[2], grid->n[1], 0, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : frequency, growth)
-	for (long line = 0; line < rows; line++) {
+	for (long line = first; line < end; line++) {
 		struct rates row =
 			row_rates(fluid, &weak, (int)(line % grid->n[1]), (int)(line / grid->n[1]));
 
 		frequency = fmax(frequency, row.frequency);
 		growth = fmax(growth, row.growth);
+	}
+	if (p->slabs.active) {
+		double most[] = { frequency, growth };
+
+		ts_world_most(p->slabs.world, most, 2);
+		frequency = most[0];
+		growth = most[1];
 	}
 	if (p->viscous == TS_VISCOUS_EXPLICIT)
 		numbers = weak.nu * sum_of_eigenvalues(p);

@@ -150,8 +150,17 @@ static bool due(const struct ts_instance *self, const struct tsim *sim)
 	return true;
 }
 
-/* While the particles are divided among ranks: all ranks have the whole grid and make the same step, before outputs need
- * all particles, since each rank corrects the forces on its own. The first one tells what all find. */
+/* Whether ranks compute slabs of the grid in a step; else each computes all of it. */
+static bool divides(const struct ts_projection *p, const struct tsim *sim)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+
+	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= sim->world->n &&
+	       p->viscous == TS_VISCOUS_EXPLICIT && !ts_flow_time_schemes[p->time].history;
+}
+
+/* While the particles are divided among ranks: before outputs need all particles, since each rank corrects the forces on its
+ * own. All ranks have the whole grid after it. The first one tells what all find. */
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
@@ -162,7 +171,9 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_fluid_share_sources(&p->fluid, sim));
 	if (!ts_ranks_first(sim))
 		sim->log.sink = NULL;
+	p->slabs.active = divides(p, sim);
 	status = make_step(self, sim);
+	p->slabs.active = false;
 	sim->log.sink = sink;
 	p->settled = true;
 	return status;

@@ -78,12 +78,13 @@ void ts_projection_apply_particle_forces(struct ts_projection *p, double dt)
 	const struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
 	int height = grid->n[1] + 1;
-	long rows = (long)height * (grid->n[2] + (grid->dimensions == 3));
+	long first, end;
 
 	if (!fluid->force[0] && !fluid->exchange[0])
 		return;
+	ts_slabs_rows(&p->slabs, grid->n[2], height, grid->dimensions == 3, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = 0; line < rows; line++) {
+	for (long line = first; line < end; line++) {
 		int j = (int)(line % height), k = (int)(line / height);
 
 		for (int c = 0; c < grid->dimensions; c++) {

@@ -251,12 +251,13 @@ void ts_flow_predict(const struct ts_predictor *p)
 				: p->next[0]		      ? conservative_rows[p->convection][solid]
 							      : volume_rows[p->convection][with_void][solid];
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
-	long total = (long)height * (grid->n[2] + (grid->dimensions == 3));
+	long first, end;
 
 	for (int c = 0; c < grid->dimensions; c++)
 		ts_flow_unknowns(p->fluid, c, from[c], to[c]);
+	ts_slabs_rows(p->slabs, grid->n[2], height, grid->dimensions == 3, &first, &end);
 #pragma omp parallel for num_threads(p->threads) schedule(static)
-	for (long line = 0; line < total; line++) {
+	for (long line = first; line < end; line++) {
 		int j = (int)(line % height), k = (int)(line / height);
 
 		for (int c = 0; c < grid->dimensions; c++) {

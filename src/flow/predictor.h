@@ -4,6 +4,7 @@
 #define TS_FLOW_PREDICTOR_H
 
 #include "flow/operators.h"
+#include "rank/slabs.h"
 
 /* out = keep * old + take * (u + dt rate(u)) at all faces where the velocity is not given. Arrays belong
  * to the caller. */
@@ -22,6 +23,7 @@ struct ts_predictor {
 	const double *flow[3], *start[3], *last[3], *next[3];
 	double *out[3];
 	int threads;
+	const struct ts_slabs *slabs; /* of ranks; NULL: all planes */
 };
 void ts_flow_predict(const struct ts_predictor *predictor);
 

@@ -74,10 +74,11 @@ void ts_flow_divergence_row(const struct ts_fluid *fluid, int j, int k, double *
 static void make_right_hand_side(const struct ts_projection *p, double scale, double mean)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
-	long rows = (long)grid->n[1] * grid->n[2];
+	long first, end;
 
+	ts_slabs_rows(&p->slabs, grid->n[2], grid->n[1], 0, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = 0; line < rows; line++) {
+	for (long line = first; line < end; line++) {
 		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
 		double *row = p->rhs + ts_at(grid, 0, j, k);
 
@@ -146,12 +147,13 @@ static void subtract_gradient(const struct ts_projection *p, const double *press
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
-	long rows = (long)height * (grid->n[2] + (grid->dimensions == 3));
+	long first, end;
 
 	for (int c = 0; c < grid->dimensions; c++)
 		ts_flow_unknowns(&p->fluid, c, from[c], to[c]);
+	ts_slabs_rows(&p->slabs, grid->n[2], height, grid->dimensions == 3, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = 0; line < rows; line++) {
+	for (long line = first; line < end; line++) {
 		int j = (int)(line % height), k = (int)(line / height);
 
 		for (int c = 0; c < grid->dimensions; c++)
@@ -197,6 +199,46 @@ static void add_increment(struct ts_projection *p, double dt)
 	ts_fluid_fill_pressure(fluid, fluid->p);
 }
 
+/* Index of the first value of plane k = 0, ghosts along the other axes included. */
+static size_t first_plane(const struct ts_grid *grid)
+{
+	return ts_at(grid, -grid->ghosts[0], -grid->ghosts[1], 0);
+}
+
+/* While ranks have slabs: all get the whole right-hand side, unless the solver is divided by the same slabs; and the whole
+ * pressure. */
+static enum ts_status solve(struct ts_projection *p, struct tsim *sim, double *pressure,
+			    struct ts_poisson_report *report)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_pressure_style *style = ts_pressure_style_of(p->pressure);
+	const bool divided = style->divided && style->divided(p->pressure);
+
+	if (!divided)
+		ts_slabs_share(&p->slabs, p->rhs + first_plane(grid), (size_t)grid->stride[2], 0);
+	TS_TRY(style->solve(p->pressure, sim, p->rhs, pressure, report));
+	if (divided)
+		ts_slabs_share(&p->slabs, pressure + first_plane(grid), (size_t)grid->stride[2], 0);
+	return TS_OK;
+}
+
+void ts_projection_share_velocity(struct ts_projection *p)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		ts_slabs_share(&p->slabs, p->fluid.u[d] + first_plane(grid), (size_t)grid->stride[2], 1);
+}
+
+void ts_projection_share_next(struct ts_projection *p)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+
+	if (p->slabs.active)
+		ts_slabs_share_next(&p->slabs, p->fluid.u[2] + first_plane(grid), (size_t)grid->stride[2],
+				    grid->periodic[2]);
+}
+
 enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct tsim *sim, double dt,
 					      double held)
 {
@@ -210,13 +252,14 @@ enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct t
 	make_right_hand_side(p, fluid->density / dt, mean);
 	if (ts_projection_impose_pressure(p) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, pressure, &report));
+	TS_TRY(solve(p, sim, pressure, &report));
 	fluid->iterations = report.iterations;
 	ts_fluid_fill_relative(fluid, pressure);
 	subtract_gradient(p, pressure, dt / fluid->density);
 	ts_projection_restore_pressure(p);
 	if (pressure != fluid->p)
 		add_increment(p, dt);
+	ts_projection_share_velocity(p);
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	return TS_OK;
 }

@@ -79,6 +79,7 @@ struct ts_projection {
 	int64_t waited;	      /* steps of the simulation since the last step of the fluid */
 	struct ts_operators operators;
 	struct ts_poisson poisson;
+	struct ts_slabs slabs;	      /* of ranks, in a step that they divide */
 	struct ts_instance *pressure; /* the pressure solver; NULL: not chosen yet */
 	/* number of instances removed when it was chosen: a change means to choose again */
 	uint64_t removals;

@@ -172,6 +172,9 @@ enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 	fluid->threads = sim->threads;
 	fluid->grain = sim->grain;
 	p->poisson.threads = ts_team(sim, ts_grid_cells(&fluid->grid));
+	if (ts_slabs_make(&p->slabs, sim->world, fluid->grid.n[2]) != TS_OK)
+		return ts_nomem(&sim->error);
+	p->poisson.slabs = &p->slabs;
 	TS_TRY(ts_projection_set_face_types(self, sim));
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
 	p->ghosts_filled = false;
@@ -188,6 +191,7 @@ void ts_projection_release(struct ts_projection *p)
 {
 	ts_fluid_release(&p->fluid);
 	ts_operators_release(&p->operators);
+	ts_slabs_release(&p->slabs);
 	for (int d = 0; d < 3; d++) {
 		ts_grid_field_free(p->work[d]);
 		ts_grid_field_free(p->second_stage[d]);

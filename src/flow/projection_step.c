@@ -23,7 +23,8 @@ static struct ts_predictor make_predictor(const struct ts_projection *p, double 
 						  ? fluid->viscosity / fluid->density
 						  : 0,
 				    .dt = dt,
-				    .threads = p->poisson.threads };
+				    .threads = p->poisson.threads,
+				    .slabs = &p->slabs };
 
 	for (int d = 0; d < 3; d++)
 		out.acceleration[d] = fluid->body_force[d];
@@ -41,6 +42,16 @@ static void swap_fields(double *a[3], double *b[3])
 }
 
 /* ---- fixes that take part */
+
+static bool parts_have_forces(const struct tsim *sim)
+{
+	const struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
+		if (((const struct ts_flow_part *)part->state)->force)
+			return true;
+	return false;
+}
 
 static enum ts_status apply_part_forces(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
 {
@@ -194,6 +205,10 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 	swap_fields(fluid->u, p->work);
 	ts_projection_apply_particle_forces(p, length);
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
+	if (parts_have_forces(sim))
+		ts_projection_share_velocity(p);
+	else
+		ts_projection_share_next(p);
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(apply_part_forces(sim, fluid, fluid->time + scheme->at[s] * dt, length));
 	p->pressure_time = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;

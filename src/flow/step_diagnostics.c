@@ -149,15 +149,16 @@ enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
-	long rows = (long)grid->n[1] * grid->n[2];
 	double speed = 0, change = 0, divergence = 0;
 	int broken = 0;
+	long first, end;
 
+	ts_slabs_rows(&p->slabs, grid->n[2], grid->n[1], 0, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static) \
 	reduction(max                                                     \
 		  : speed, change, divergence) reduction(|                \
 							 : broken)
-	for (long line = 0; line < rows; line++) {
+	for (long line = first; line < end; line++) {
 		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
 		struct row_diagnostics row = diagnose_row(fluid, before, j, k);
 
@@ -165,6 +166,15 @@ enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim
 		change = fmax(change, row.change);
 		broken |= row.broken;
 		divergence = fmax(divergence, largest_divergence(p, j, k));
+	}
+	if (p->slabs.active) {
+		double most[] = { speed, change, divergence, broken };
+
+		ts_world_most(p->slabs.world, most, 4);
+		speed = most[0];
+		change = most[1];
+		divergence = most[2];
+		broken = most[3] > 0;
 	}
 	fluid->courant = speed * dt;
 	fluid->residual = change / dt;

@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/clones.h"
 #include "base/parallel.h"
+#include "poisson/direct_exchange.h"
 
 #include "base/banned.h"
 
@@ -164,9 +165,9 @@ struct task {
 	const struct ts_direct *s;
 	const double *rhs;
 	double *p;
-	int planes;	/* that a share is made of */
-	size_t threads; /* whose spare is whose */
-	size_t shares;
+	int planes;	      /* that a share is made of */
+	size_t threads;	      /* whose spare is whose */
+	size_t shares, first; /* of this rank: number, and the first one */
 };
 
 /* Rows along the first axis in a field of the grid, and in the work memory: those of a plane, in two
@@ -289,7 +290,7 @@ static void forward_planes(void *context, size_t from, size_t to)
 	double *lines = thread_work_memory(task, from), *spare = lines + task->s->line_size;
 
 	for (size_t share = from; share < to; share++) {
-		int c = (int)share * task->planes;
+		int c = (int)(task->first + share) * task->planes;
 		struct rows rows = find_rows(task, c);
 
 		first_forward(task, &rows, lines, spare);
@@ -304,7 +305,7 @@ static void backward_planes(void *context, size_t from, size_t to)
 	double *lines = thread_work_memory(task, from), *spare = lines + task->s->line_size;
 
 	for (size_t share = from; share < to; share++) {
-		int c = (int)share * task->planes;
+		int c = (int)(task->first + share) * task->planes;
 		struct rows rows = find_rows(task, c);
 
 		if (task->s->n[1] > 1)
@@ -381,7 +382,7 @@ static void eliminate_strips(void *context, size_t from, size_t to)
 	double *factor = thread_work_memory(task, from);
 
 	for (size_t strip = from; strip < to; strip++) {
-		size_t mode = strip * STRIP, n = modes - mode < STRIP ? modes - mode : STRIP;
+		size_t mode = (task->first + strip) * STRIP, n = modes - mode < STRIP ? modes - mode : STRIP;
 
 		eliminate_strip(task->s, mode, n, factor);
 	}
@@ -409,7 +410,7 @@ static void transform_strips(void *context, size_t from, size_t to)
 	double *lines = thread_work_memory(task, from), *spare = lines + s->line_size;
 
 	for (size_t strip = from; strip < to; strip++) {
-		size_t mode = strip * TS_LINES;
+		size_t mode = (task->first + strip) * TS_LINES;
 		int count = modes - mode < TS_LINES ? (int)(modes - mode) : TS_LINES;
 
 		load_columns(s->work + mode, s->plane, s->n[2], count, lines);
@@ -420,8 +421,17 @@ static void transform_strips(void *context, size_t from, size_t to)
 	}
 }
 
+size_t ts_direct_strip(const struct ts_direct *s)
+{
+	return s->eliminates ? STRIP : TS_LINES;
+}
+
 static void share_among_threads(struct task *task, size_t shares, ts_range_fn *share)
 {
+	size_t end;
+
+	ts_slabs_own(task->s->slabs, shares, &task->first, &end);
+	shares = end - task->first;
 	task->shares = shares;
 	task->threads = shares < (size_t)task->s->threads ? shares : (size_t)task->s->threads;
 	ts_parallel((int)task->threads, shares, share, task);
@@ -430,14 +440,14 @@ static void share_among_threads(struct task *task, size_t shares, ts_range_fn *s
 void ts_direct_solve(const struct ts_direct *s, const double *rhs, double *p)
 {
 	struct task task = { .s = s, .rhs = rhs, .p = p };
-	size_t modes = (size_t)s->n[0] * (size_t)s->n[1], planes;
+	size_t modes = (size_t)s->n[0] * (size_t)s->n[1], planes, strips;
 
 	task.planes = s->n[1] > 1 ? 1 : TS_LINES;
 	planes = (size_t)((s->n[2] + task.planes - 1) / task.planes);
 	share_among_threads(&task, planes, forward_planes);
-	if (s->eliminates)
-		share_among_threads(&task, (modes + STRIP - 1) / STRIP, eliminate_strips);
-	else
-		share_among_threads(&task, (modes + TS_LINES - 1) / TS_LINES, transform_strips);
+	ts_direct_exchange(s, false);
+	strips = (modes + ts_direct_strip(s) - 1) / ts_direct_strip(s);
+	share_among_threads(&task, strips, s->eliminates ? eliminate_strips : transform_strips);
+	ts_direct_exchange(s, true);
 	share_among_threads(&task, planes, backward_planes);
 }

@@ -27,7 +27,8 @@ struct ts_direct {
 	/* work memory of threads, `spare_size` doubles each, of which the first `line_size` hold lines */
 	double *spare;
 	size_t spare_size, line_size;
-	size_t singular; /* index of the mode of eigenvalue 0; SIZE_MAX if there is none */
+	size_t singular;	/* index of the mode of eigenvalue 0; SIZE_MAX if there is none */
+	struct ts_slabs *slabs; /* of ranks: poisson/direct_exchange.h; NULL: none */
 };
 
 /* Released also after a failure. */
@@ -36,7 +37,9 @@ void ts_direct_release(struct ts_direct *s);
 
 /* Estimated time of a solve in seconds, including a thousandth of the preparation. */
 double ts_direct_cost(const struct ts_poisson *problem);
-/* Solves for p in the inner cells; p and rhs may be the same field. */
+/* Number of modes whose elimination or transform along the third axis is one share of the work. */
+size_t ts_direct_strip(const struct ts_direct *s);
+/* Solves for p in the inner cells; p and rhs may be the same field. While ranks have slabs: in the planes of this rank. */
 void ts_direct_solve(const struct ts_direct *s, const double *rhs, double *p);
 
 #endif

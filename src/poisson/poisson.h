@@ -17,6 +17,7 @@
 
 #include "core/sim.h"
 #include "grid/grid.h"
+#include "rank/slabs.h"
 
 enum ts_pressure_condition {
 	TS_PRESSURE_PERIODIC,
@@ -33,6 +34,7 @@ struct ts_poisson {
 	const double *weight[3];
 	bool singular; /* no face gives a pressure */
 	int threads;
+	struct ts_slabs *slabs; /* planes of cells across the last axis, of ranks; NULL: no ranks */
 };
 
 struct ts_poisson_report {
@@ -55,6 +57,9 @@ struct ts_pressure_style {
 	 * The result is bitwise the same for any number of threads. */
 	enum ts_status (*solve)(struct ts_instance *self, struct tsim *sim, const double *rhs, double *p,
 				struct ts_poisson_report *report);
+	/* While ranks have slabs: whether `solve` reads rhs and sets p in the planes of this rank only; else it does in all
+	 * planes. NULL: it never does. */
+	bool (*divided)(const struct ts_instance *self);
 	/* Estimated time of a solve in seconds, for the choice of the default and for -explain. `self` may
 	 * be NULL: with the default arguments. */
 	double (*cost)(const struct ts_instance *self, const struct ts_poisson *problem);

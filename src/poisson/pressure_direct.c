@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "poisson/direct.h"
+#include "poisson/direct_exchange.h"
 #include "poisson/pressure_style.h"
 
 #include "base/banned.h"
@@ -29,7 +29,14 @@ static enum ts_status prepare(struct ts_instance *self, struct tsim *sim, const 
 	ts_direct_release(&d->solver);
 	if (ts_direct_make(&d->solver, problem, ts_pressure_team(sim, problem)) != TS_OK)
 		return ts_nomem(&sim->error);
+	if (ts_direct_divide(&d->solver, problem->slabs) != TS_OK)
+		return ts_nomem(&sim->error);
 	return TS_OK;
+}
+
+static bool divided(const struct ts_instance *self)
+{
+	return ts_direct_divided(&((const struct direct *)self->state)->solver);
 }
 
 static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const double *rhs, double *p,
@@ -71,6 +78,7 @@ const struct ts_pressure_style ts_pressure_direct = {
 	.suits = suits,
 	.prepare = prepare,
 	.solve = solve,
+	.divided = divided,
 	.cost = cost,
 	.fields = 1,
 };

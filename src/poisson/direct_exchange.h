@@ -1,0 +1,15 @@
+/* The direct solver divided among ranks: each transforms planes of its own, and eliminates modes of its own in all planes; in
+ * between all ranks exchange what one has of the modes of another (a transposition). */
+#ifndef TS_POISSON_DIRECT_EXCHANGE_H
+#define TS_POISSON_DIRECT_EXCHANGE_H
+
+#include "poisson/direct.h"
+
+/* Divides the solver by these slabs, where it can: planes of the third axis are then those of the slabs. */
+enum ts_status ts_direct_divide(struct ts_direct *solver, struct ts_slabs *slabs);
+/* Whether ranks have slabs now. */
+bool ts_direct_divided(const struct ts_direct *solver);
+/* Each rank gets its modes of all planes; `back`: all modes of its planes. */
+void ts_direct_exchange(const struct ts_direct *solver, bool back);
+
+#endif
