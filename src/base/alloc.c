@@ -13,7 +13,9 @@
 #include "base/banned.h"
 
 enum { PAGE = 4096, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
-enum { MAPPED = 1 << 20 }; /* blocks of this size and above are mapped outside of the heap: ts_alloc_tune */
+/* Blocks of this size and above are mapped outside of the heap; so much free memory may stay at the end of the heap: with the
+ * default, an eighth of MAPPED, it was returned and mapped again, page by page, in each build of the neighbor lists. */
+enum { MAPPED = 1 << 20, KEPT_FREE = 4 * MAPPED };
 
 static atomic_long live_blocks;
 static atomic_long fail_countdown;
@@ -48,6 +50,7 @@ void ts_alloc_tune(void)
 {
 #ifdef M_MMAP_THRESHOLD
 	(void)mallopt(M_MMAP_THRESHOLD, MAPPED);
+	(void)mallopt(M_TRIM_THRESHOLD, KEPT_FREE);
 #endif
 }
 
