@@ -1,4 +1,5 @@
 /* Fix external: forces, energies and numbers that an outside program gives by tsim_external. */
+#include "core/ranks.h"
 #include "core/sim.h"
 #include "energy/potential_energy.h"
 #include "particle/columns.h"
@@ -147,6 +148,31 @@ static enum ts_status add_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* Whether all ranks have this number; all call it. */
+static bool agree(struct tsim *sim, double number)
+{
+	double range[2] = { number, -number };
+
+	ts_ranks_most_of(sim, range, 2);
+	return !(range[0] > -range[1]);
+}
+
+/* Numbers that are not of single particles are those of the whole simulation, which all ranks give. */
+static enum ts_status check_ranks(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	bool same = agree(sim, s->energy) & agree(sim, (double)s->nvector);
+
+	for (size_t k = 0; same && k < s->nvector; k++)
+		same = agree(sim, s->vector[k]);
+	if (same)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix external: energy and vector are of all particles, but ranks have given different "
+		       "numbers, this one the energy %g and %zu other numbers",
+		       s->energy, s->nvector);
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
@@ -235,11 +261,16 @@ const struct ts_style ts_fix_external = {
 	       "fix_external_set_energy_global, fix_external_set_energy_peratom, "
 	       "fix_external_set_vector_length, fix_external_set_vector, with the meaning that LAMMPS' "
 	       "manual gives them (doc/python.md). In C: tsim_external (doc/library.md).\n\n"
+	       "On several ranks a function gives the forces of the particles that its process has in that "
+	       "step. "
+	       "Energy and vector are those of all particles: each process gives the same numbers.\n\n"
 	       "The energy counts in compute pe if `fix_modify ID energy yes` is set. Virials are not taken: "
 	       "pressures are of contacts, bonds and motion. With pf/callback, a run without a function is "
 	       "an error.",
 	.example = "fix push all external pf/callback 1 1\nfix field grains external pf/array 1",
 	.args = args,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = check_ranks,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = archive,

@@ -2,6 +2,7 @@
 #include "library/library.h"
 
 #include "contact/contact_view.h"
+#include "core/ranks.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 
@@ -9,6 +10,7 @@
 
 static enum ts_status check_built(struct tsim *sim)
 {
+	TS_TRY(ts_ranks_require_all(sim, "pairs", NULL));
 	if (!sim->neigh->wanted && !ts_sim_only(sim, TS_KIND_PAIR))
 		return ts_fail(&sim->error, TS_STATE, NULL,
 			       "there is no contact list: no pair style and no other style needs one");

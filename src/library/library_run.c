@@ -127,7 +127,22 @@ int tsim_step(struct tsim *sim, int64_t n)
 	return ts_library_result(sim, status);
 }
 
-/* Calls the functions of a stage. An error that a function caused and handled is no error of the run. */
+/* A function has ended the run. One rank cannot end it alone while others go on. */
+static enum ts_status stop_run(struct tsim *sim, int code)
+{
+	enum ts_status status = sim->error.status;
+
+	if (status == TS_OK)
+		status = ts_fail(&sim->error, TS_STOPPED, NULL,
+				 "a function of tsim_on_step ended the run at step %" PRId64 " with code %d",
+				 sim->clock.step, code);
+	if (sim->world)
+		sim->world->call->fail(sim->world, tsim_error(sim));
+	return status;
+}
+
+/* Calls the functions of a stage. An error that a function caused and handled is no error of the run. With several ranks they
+ * cannot read what depends on the particles of others, also in steps that each rank does with all. */
 static enum ts_status call_functions(struct tsim *sim, enum tsim_stage stage)
 {
 	struct ts_library *library = sim->library;
@@ -136,18 +151,16 @@ static enum ts_status call_functions(struct tsim *sim, enum tsim_stage stage)
 	int code = 0;
 
 	library->stage = (int)stage;
+	ts_ranks_apart(sim, true);
 	for (size_t k = 0; k < calls->n && !code; k++)
 		code = calls->item[k].fn(sim, calls->item[k].data);
+	ts_ranks_apart(sim, false);
 	library->stage = -1;
-	if (!code && clean)
+	if (code)
+		return stop_run(sim, code);
+	if (clean)
 		ts_error_clear(&sim->error);
-	if (!code)
-		return TS_OK;
-	if (sim->error.status != TS_OK)
-		return sim->error.status;
-	return ts_fail(&sim->error, TS_STOPPED, NULL,
-		       "a function of tsim_on_step ended the run at step %" PRId64 " with code %d",
-		       sim->clock.step, code);
+	return TS_OK;
 }
 
 static enum ts_status before_force(struct ts_instance *self, struct tsim *sim)
@@ -205,7 +218,6 @@ static enum ts_status add_call(struct tsim *sim, enum tsim_stage stage, struct t
 	struct ts_library_calls *calls = &sim->library->calls[stage];
 
 	TS_TRY(end_run(sim, "tsim_on_step"));
-	TS_TRY(ts_ranks_refuse(sim, "tsim_on_step", NULL));
 	if (TS_GROW(calls->item, calls->capacity, calls->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	calls->item[calls->n++] = call;

@@ -109,6 +109,11 @@ static double rank(const struct tsim *sim)
 	return sim->world ? sim->world->rank : 0;
 }
 
+static double divided(const struct tsim *sim)
+{
+	return sim->division != NULL;
+}
+
 static double ranks(const struct tsim *sim)
 {
 	return ts_ranks(sim);
@@ -135,6 +140,7 @@ static const struct {
 } settings[] = {
 	{ "box_exist", "1 after create_box or read_restart", box_exists },
 	{ "dimension", "2 or 3", dimension },
+	{ "divided", "1 in a step in which each rank has its own particles only", divided },
 	{ "dt", "time step", dt },
 	{ "halted", "1 after fix halt has ended a run: later runs do nothing", halted },
 	{ "nghost", "ghost particles: periodic images", ghosts },

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "script/script.h"
 
 #include "base/banned.h"
@@ -54,9 +55,27 @@ static enum ts_status evaluate_reference(struct tsim *sim, const char *name, enu
 	return shape == TS_LOCAL ? ts_ref_local(sim, &ref, NULL, out) : ts_ref_peratom(sim, &ref, NULL, out);
 }
 
+/* With several ranks, in a function of a step: of outputs only columns of particles are known, and numbers that the program
+ * itself has given. */
+static enum ts_status require_known(struct tsim *sim, const char *name, enum tsim_shape shape)
+{
+	const struct ts_word word = { .text = name };
+	struct ts_ref ref;
+
+	if (!sim->run.apart || !ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 }))
+		return TS_OK;
+	TS_TRY(ts_ref_resolve(sim, name, NULL, &ref));
+	if (ref.inst && ref.inst->style->kind == TS_KIND_FIX &&
+	    (ref.inst->style->take ||
+	     (shape == TSIM_PER_PARTICLE && ref.inst->style->ranks & TS_RANKS_OUTPUTS)))
+		return TS_OK;
+	return ts_ranks_require_all(sim, name, NULL);
+}
+
 static enum ts_status evaluate_shape(struct tsim *sim, const char *name, enum tsim_shape shape,
 				     struct ts_table *out)
 {
+	TS_TRY(require_known(sim, name, shape));
 	if (shape < TSIM_SCALAR || shape > TSIM_ARRAY)
 		return ts_fail(&sim->error, TS_RANGE, NULL, "there is no shape %d", (int)shape);
 	if (shape == TSIM_SCALAR) {

@@ -178,8 +178,6 @@ const char *ts_division_refused(const struct tsim *sim)
 			return "a dynamic group by a variable of all particles";
 	if (sim->legacy == TS_LEGACY_LIGGGHTS)
 		return "legacy";
-	if (sim->outside)
-		return "a program around tsim";
 	return p->liquid ? "liquid on particles" : NULL;
 }
 

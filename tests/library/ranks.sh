@@ -25,9 +25,18 @@ for n in 2 3; do
 	report "$n ranks" $? err
 	grep '^end ' "out.$n" >"end.$n"
 	same "$n ranks: the same numbers" end.1 "end.$n"
-	[ "$(grep -c '^rank ' "out.$n")" = 0 ] && [ "$(grep -c '^Loop time' "out.$n")" = 1 ] && [ "$(grep -c '^Loop time' log.ranks)" = 1 ]
+	[ "$(grep -c '^rank ' "out.$n")" = 0 ] && [ "$(grep -c '^Loop time' "out.$n")" = 2 ] && [ "$(grep -c '^Loop time' log.ranks)" = 2 ]
 	report "$n ranks print once, and have the same forces and errors" $? "out.$n"
 done
+# fault WHAT TEXT: functions that act in steps with this fault end all ranks with this text
+fault() {
+	on_ranks 3 ./ranks in.bed "$1" </dev/null >out 2>&1
+	[ $? != 0 ] && [ "$(grep -c "$2" out)" = 1 ] && ! grep -q '^end ' out
+	report "functions in steps: $1" $? out
+}
+fault all "'ke' is needed in each step, when each rank has its own particles only"
+fault energy 'fix external: energy and vector are of all particles, but ranks have given different numbers'
+fault stop 'a function of tsim_on_step ended the run at step 151 with code 7'
 # A particle that is lost on one rank ends all of them.
 sed 's/^thermo_modify.*//' "$top_srcdir/tests/rank/scenes/in.outlet" >in.lost
 sed -i '/^dump/d; /^run/d' in.lost
@@ -58,6 +67,14 @@ lmp = tsim.lammps(comm=comm, cmdargs=["-log", "none", "-screen", "none"])
 lmp.command("units si")
 assert lmp.extract_setting("world_size") == comm.size and lmp.get_mpi_comm() == comm
 lmp.close()
+sim.commands("fix push all external pf/callback 1 1")
+def push(caller, step, n, tag, x, f):
+    assert n == len(tag) == len(x) == len(f)
+    for k in range(n):
+        f[k][0] = 1e-6 * x[k][2] * (tag[k] % 5)
+sim.set_fix_external_callback("push", push)
+sim.commands("run 20")
+f = sim.gather("v")
 if MPI.COMM_WORLD.rank == 0:
     print("end", len(sim), repr(sim.value("ke")), *(repr(float(x)) for x in f[::17, 2]))
 END
