@@ -738,6 +738,10 @@ library_sources = \
 	src/impact/exact_collision.h \
 	src/impact/exact_impacts.c \
 	src/impact/exact_impacts.h \
+	src/impact/exact_notices.c \
+	src/impact/exact_notices.h \
+	src/impact/exact_sharing.c \
+	src/impact/exact_sharing.h \
 	src/impact/impact_event.h \
 	src/impact/impacts.c \
 	src/impact/impacts.h \

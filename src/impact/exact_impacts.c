@@ -7,12 +7,16 @@
 #include "base/sort.h"
 #include "box/domain.h"
 #include "core/deferred_loops.h"
+#include "core/report.h"
 #include "integrate/integrators.h"
 #include "neigh/neigh.h"
 #include "particle/columns.h"
+#include "particle/copies.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 #include "impact/exact_collision.h"
+#include "impact/exact_notices.h"
+#include "impact/exact_sharing.h"
 #include "impact/impacts.h"
 #include "wall/mesh_wall.h"
 #include "wall/surface.h"
@@ -21,9 +25,6 @@
 
 /* Overlaps up to this part of the radius are rounding errors of the position. */
 static const double NEGLIGIBLE = 1e-9;
-/* A contact is resolved by the steps if it lasts for so many of them. */
-static const double RESOLVED = 10;
-
 /* ---- arguments and checks ---- */
 
 enum ts_status ts_exact_init(struct ts_instance *self, struct tsim *sim,
@@ -64,11 +65,27 @@ static enum ts_status refuse_observers(struct ts_instance *self, struct tsim *si
 	return TS_OK;
 }
 
-enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim)
+/* The first wall that takes part: its copies are sent once more. */
+static bool is_first(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_instance *by = NULL;
+	struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by)) && !w->exact;)
+		;
+	return w && by == self;
+}
+
+enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_wall *w = self->state;
 	const char *why;
 
+	if (is_first(self, sim)) {
+		report->copied.messages++;
+		report->copied.bytes += (double)ts_copies_step_bytes(sim->particles);
+		report->shared.messages++;
+	}
 	if (!ts_wall_has_law(w, sim))
 		return TS_OK; /* refused by ts_wall_plan */
 	why = ts_collision_unsupported(ts_wall_model(w, sim));
@@ -130,12 +147,6 @@ void ts_exact_add_force(struct ts_wall *w, const struct tsim *sim)
 
 /* ---- the search of one step ---- */
 
-/* A wall that takes part. */
-struct target {
-	const struct ts_instance *by;
-	struct ts_wall *wall;
-};
-
 struct found {
 	struct ts_exact_impact impact;
 	size_t target;
@@ -147,29 +158,21 @@ struct change {
 	double x[3], v[3], omega[3], wait;
 };
 
-/* A particle whose contact is left to the forces: it touches another one in the step, or is in a rigid body. */
-struct left {
-	size_t i, target;
-	double duration; /* of its collision with the wall, if it were alone; 0: not known */
-	double speed;	 /* of approach, normal to the surface */
-};
-
 /* What one thread finds. */
 struct share {
 	struct ts_mesh_list list;
 	struct ts_contact_nodes nodes;
 	struct found *found;
 	struct change *change;
-	struct left *left;
-	size_t nfound, nchanges, nleft, found_capacity, change_capacity, left_capacity;
-	size_t many;   /* 1 + index of a particle with too many impacts */
+	struct ts_exact_notices notices;
+	size_t nfound, nchanges, found_capacity, change_capacity;
 	size_t failed; /* 1 + index of a particle whose collision could not be integrated */
 	enum ts_status status;
 };
 
 struct search {
 	struct tsim *sim;
-	struct target *target;
+	struct ts_exact_target *target;
 	size_t targets, shares;
 	struct share *share;
 	const double *wait; /* by particle */
@@ -329,25 +332,39 @@ static void leave(const struct search *s, struct share *share, struct flight *f,
 	f->time += r->duration;
 }
 
-/* Whether the warning has been given of such a particle. */
-static double *warned_of(struct ts_exact_impacts *e, const struct ts_particles *p, size_t i)
+static void add_notice(struct share *share, const struct ts_exact_notice *notice)
 {
-	return ts_rigid_member(p, i) ? &e->warned_body : &e->warned_left;
+	struct ts_exact_notices *to = &share->notices;
+
+	if (TS_GROW(to->item, to->capacity, to->n + 1) != TS_OK)
+		share->status = TS_NOMEM;
+	else
+		to->item[to->n++] = *notice;
+}
+
+static struct ts_exact_notice notice_of(const struct search *s, size_t i, size_t target)
+{
+	const struct ts_particles *p = s->sim->particles;
+	struct ts_exact_notice notice = { .tag = p->tag[i],
+					  .target = (int32_t)target,
+					  .member = ts_rigid_member(p, i),
+					  .radius = p->radius[i] };
+
+	ts_scale(1, p->x[i], notice.x);
+	return notice;
 }
 
 static void leave_to_forces(const struct search *s, struct share *share, const struct flight *f,
 			    const struct ts_collision *c, size_t target)
 {
-	struct left left = { .i = f->i, .target = target, .speed = -ts_dot(c->velocity, c->n) };
+	struct ts_exact_notice left = notice_of(s, f->i, target);
 	struct ts_collision_result r;
 
-	if (!(*warned_of(s->target[target].wall->exact, s->sim->particles, f->i) > 0) &&
+	left.speed = -ts_dot(c->velocity, c->n);
+	if (!(*ts_exact_warned(s->target[target].wall->exact, left.member) > 0) &&
 	    ts_collision_compute(c, &r) == TS_COLLISION_PARTS)
 		left.duration = r.duration;
-	if (TS_GROW(share->left, share->left_capacity, share->nleft + 1) != TS_OK)
-		share->status = TS_NOMEM;
-	else
-		share->left[share->nleft++] = left;
+	add_notice(share, &left);
 }
 
 /* Carries the particle through its next impact; false: the rest of its path is free, or left to the forces. */
@@ -389,7 +406,7 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	to = &share->found[share->nfound++];
 	*to = (struct found){ { .event = event_of(s, f, &touch, &c, &r),
 				.surface = touch.surface,
-				.particle = f->i,
+				.groups = (uint32_t)p->mask[f->i],
 				.first = nodes,
 				.nnodes = share->nodes.n - nodes },
 			      target };
@@ -433,7 +450,10 @@ static void carry(const struct search *s, struct share *share, size_t i)
 	while (f.time < h && impacts < TS_EXACT_MOST && carry_once(s, share, &f, impacts == 0))
 		impacts++;
 	if (impacts == TS_EXACT_MOST) { /* it waits for the next step where it is */
-		share->many = i + 1;
+		struct ts_exact_notice many = notice_of(s, i, 0);
+
+		many.many = true;
+		add_notice(share, &many);
 		f.time = fmax(f.time, h);
 	}
 	if (impacts || s->wait[i] > 0)
@@ -467,93 +487,8 @@ static int by_particle_and_time(const void *a, const void *b)
 	return (p->begin > q->begin) - (p->begin < q->begin);
 }
 
-/* The surface and the particle must not pass each other before a contact force acts. */
-static enum ts_status check_left(const struct search *s, const struct left *left)
-{
-	const struct ts_particles *p = s->sim->particles;
-	const struct ts_instance *by = s->target[left->target].by;
-	double way = left->speed * s->sim->clock.dt;
-
-	if (!(way > p->radius[left->i]))
-		return TS_OK;
-	return ts_fail(&s->sim->error, TS_PHYSICS, &by->where,
-		       "impact exact: particle %d %s, so its contact with wall %s is resolved by time steps; "
-		       "but they approach each other by %g in a step, more than its radius %g; use a shorter "
-		       "time step",
-		       p->tag[left->i],
-		       ts_rigid_member(p, left->i) ? "is in a rigid body" : "touches another particle, too",
-		       by->id, way, p->radius[left->i]);
-}
-
-static void warn_left(const struct search *s, const struct left *left)
-{
-	const struct ts_particles *p = s->sim->particles;
-	struct ts_exact_impacts *e = s->target[left->target].wall->exact;
-	const struct ts_instance *by = s->target[left->target].by;
-	double h = s->sim->clock.dt, *warned = warned_of(e, p, left->i);
-
-	if (*warned > 0 || !(left->duration > 0 && left->duration < RESOLVED * h))
-		return;
-	*warned = 1;
-	if (ts_rigid_member(p, left->i))
-		ts_warn(&s->sim->log, &by->where,
-			"impact exact: particle %d is in a rigid body, whose contacts with wall %s are "
-			"resolved by time steps; this one lasts about %.3g, only %.2g steps of %g",
-			p->tag[left->i], by->id, left->duration, left->duration / h, h);
-	else
-		ts_warn(&s->sim->log, &by->where,
-			"impact exact: particle %d touches another particle and wall %s in the same step, so "
-			"this contact is resolved by time steps; it lasts %.3g, only %.2g steps of %g",
-			p->tag[left->i], by->id, left->duration, left->duration / h, h);
-}
-
-static enum ts_status store_left(const struct search *s, const struct left *left)
-{
-	TS_TRY(check_left(s, left));
-	for (size_t k = 0; k < s->targets; k++) { /* what it meets next may be any of the walls */
-		struct ts_exact_impacts *o = s->target[k].wall->exact;
-
-		if (TS_GROW(o->left, o->left_capacity, o->nleft + 1) != TS_OK)
-			return ts_nomem(&s->sim->error);
-		o->left[o->nleft++] = s->sim->particles->tag[left->i];
-	}
-	warn_left(s, left);
-	return TS_OK;
-}
-
-static void warn_many(const struct search *s, size_t i)
-{
-	struct ts_exact_impacts *e = s->target[0].wall->exact;
-	const struct ts_particles *p = s->sim->particles;
-
-	if (e->warned_many > 0)
-		return;
-	e->warned_many = 1;
-	ts_warn(&s->sim->log, &s->target[0].by->where,
-		"impact exact: particle %d at (%g %g %g) has had %d impacts in one step, as between two "
-		"surfaces nearer to each other than its diameter; it stays where it is for the rest of the "
-		"step",
-		p->tag[i], p->x[i][0], p->x[i][1], p->x[i][2], TS_EXACT_MOST);
-}
-
-/* Takes over an impact and its nodes. */
-static enum ts_status take_impact(struct tsim *sim, struct ts_exact_impacts *e,
-				  const struct ts_exact_impact *impact, const struct ts_contact_nodes *from)
-{
-	struct ts_contact_nodes *to = &e->nodes;
-
-	if (TS_GROW(e->item, e->capacity, e->n + 1) != TS_OK ||
-	    TS_GROW(to->item, to->capacity, to->n + impact->nnodes) != TS_OK)
-		return ts_nomem(&sim->error);
-	if (impact->nnodes)
-		memcpy(to->item + to->n, from->item + impact->first, impact->nnodes * sizeof *to->item);
-	e->item[e->n] = *impact;
-	e->item[e->n++].first = to->n;
-	to->n += impact->nnodes;
-	return TS_OK;
-}
-
-static enum ts_status take_share(const struct search *s, const struct share *share)
+static enum ts_status take_share(const struct search *s, const struct share *share,
+				 struct ts_exact_notices *notices)
 {
 	struct ts_particles *p = s->sim->particles;
 
@@ -568,15 +503,15 @@ static enum ts_status take_share(const struct search *s, const struct share *sha
 			       p->x[share->failed - 1][1], p->x[share->failed - 1][2],
 			       p->v[share->failed - 1][0], p->v[share->failed - 1][1],
 			       p->v[share->failed - 1][2]);
-	for (size_t k = 0; k < share->nleft; k++)
-		TS_TRY(store_left(s, &share->left[k]));
-	if (share->many)
-		warn_many(s, share->many - 1);
+	if (TS_GROW(notices->item, notices->capacity, notices->n + share->notices.n) != TS_OK)
+		return ts_nomem(&s->sim->error);
+	for (size_t k = 0; k < share->notices.n; k++)
+		notices->item[notices->n++] = share->notices.item[k];
 	for (size_t k = 0; k < share->nfound; k++) {
 		const struct found *found = &share->found[k];
 
-		TS_TRY(take_impact(s->sim, s->target[found->target].wall->exact, &found->impact,
-				   &share->nodes));
+		TS_TRY(ts_exact_take(s->sim, s->target[found->target].wall->exact, &found->impact,
+				     share->nodes.item + found->impact.first));
 	}
 	for (size_t k = 0; k < share->nchanges; k++) {
 		const struct change *c = &share->change[k];
@@ -596,11 +531,12 @@ static void release_share(struct share *share)
 	ts_free(share->nodes.item);
 	ts_free(share->found);
 	ts_free(share->change);
-	ts_free(share->left);
+	ts_free(share->notices.item);
 }
 
 static enum ts_status search(struct search *s)
 {
+	struct ts_exact_notices notices = { 0 };
 	enum ts_status status = TS_OK;
 
 	s->share = ts_alloc(s->shares, sizeof *s->share);
@@ -608,10 +544,15 @@ static enum ts_status search(struct search *s)
 		return ts_nomem(&s->sim->error);
 	ts_parallel((int)s->shares, s->shares, search_range, s);
 	for (size_t k = 0; k < s->shares && status == TS_OK; k++)
-		status = take_share(s, &s->share[k]);
+		status = take_share(s, &s->share[k], &notices);
 	for (size_t k = 0; k < s->shares; k++)
 		release_share(&s->share[k]);
 	ts_free(s->share);
+	if (status == TS_OK && s->sim->division)
+		status = ts_exact_share(s->sim, s->target, s->targets, &notices);
+	if (status == TS_OK)
+		status = ts_exact_tell(s->sim, s->target, s->targets, &notices);
+	ts_free(notices.item);
 	for (size_t k = 0; k < s->targets; k++) {
 		struct ts_exact_impacts *e = s->target[k].wall->exact;
 
@@ -621,11 +562,11 @@ static enum ts_status search(struct search *s)
 }
 
 /* All walls that take part; *first: whether `self` is the first of them. NULL: out of memory. */
-static struct target *list_targets(const struct ts_instance *self, const struct tsim *sim, size_t *n,
-				   bool *first)
+static struct ts_exact_target *list_targets(const struct ts_instance *self, const struct tsim *sim, size_t *n,
+					    bool *first)
 {
 	const struct ts_instance *by;
-	struct target *list = NULL;
+	struct ts_exact_target *list = NULL;
 	struct ts_wall *w;
 	size_t capacity = 0;
 
@@ -639,7 +580,7 @@ static struct target *list_targets(const struct ts_instance *self, const struct 
 			ts_free(list);
 			return NULL;
 		}
-		list[(*n)++] = (struct target){ by, w };
+		list[(*n)++] = (struct ts_exact_target){ by, w };
 	}
 	return list;
 }
@@ -660,7 +601,6 @@ static enum ts_status prepare(struct search *s)
 static enum ts_status list_briefs(struct tsim *sim, struct ts_wall *w)
 {
 	const struct ts_exact_impacts *e = w->exact;
-	const struct ts_particles *p = sim->particles;
 
 	for (size_t k = 0; k < e->n; k++) {
 		const struct ts_exact_impact *from = &e->item[k];
@@ -673,8 +613,8 @@ static enum ts_status list_briefs(struct tsim *sim, struct ts_wall *w)
 		to = &w->brief[w->nbriefs++];
 		*to = (struct ts_wall_brief){ .surface = from->surface,
 					      .element = (size_t)from->event.element,
-					      .type = p->type[from->particle],
-					      .groups = (uint32_t)p->mask[from->particle],
+					      .type = (int)from->event.type,
+					      .groups = from->groups,
 					      .mass = from->event.mass,
 					      .radius = from->event.radius,
 					      .node = e->nodes.item + from->first,
@@ -692,7 +632,7 @@ static enum ts_status report_impacts(struct tsim *sim, const struct ts_wall *w)
 
 	for (size_t k = 0; w->impacts && k < e->n; k++)
 		if (w->observers[e->item[k].surface] & TS_OBSERVES_IMPACTS)
-			TS_TRY(ts_impacts_append(sim, w->impacts, e->item[k].surface, e->item[k].particle,
+			TS_TRY(ts_impacts_append(sim, w->impacts, e->item[k].surface, e->item[k].groups,
 						 &e->item[k].event));
 	return TS_OK;
 }
@@ -712,11 +652,12 @@ enum ts_status ts_exact_carry(struct ts_instance *self, struct tsim *sim)
 	status = TS_OK;
 	if (first) {
 		ts_deferred_loops_run(sim);
+		ts_copies_forward(sim); /* of what particles may touch in this step */
 		s.wait = sim->particles->column[w->exact->wait].data;
 		s.moving = ts_integrated_groups(sim, TS_MOVES | TS_OBEYS);
 		s.shares = (size_t)ts_team(sim, 4 * sim->particles->n);
 		status = prepare(&s);
-		if (status == TS_OK && sim->particles->n)
+		if (status == TS_OK && (sim->particles->n || sim->division))
 			status = search(&s);
 		for (size_t k = 0; k < s.targets && status == TS_OK; k++)
 			status = list_briefs(sim, s.target[k].wall);

@@ -13,6 +13,8 @@
  *   - is in a rigid body, or
  *   - stays for more than TS_EXACT_LONGEST steps, which resolve the contact.
  *
+ * With several ranks each carries its own particles; all of them get all impacts (impact/exact_sharing.h).
+ *
  * A sort of surface takes part by a struct ts_exact_surface (wall/exact_surface.h). */
 #ifndef TS_IMPACT_EXACT_IMPACTS_H
 #define TS_IMPACT_EXACT_IMPACTS_H
@@ -20,6 +22,8 @@
 #include "impact/impact_event.h"
 #include "wall/exact_surface.h"
 #include "wall/wall.h"
+
+struct ts_plan_report;
 
 enum {
 	TS_EXACT_LONGEST = 50, /* steps; longer collisions are resolved by the steps */
@@ -31,7 +35,7 @@ struct ts_exact_impact {
 	struct ts_impact_event event;
 	double push[3];	      /* impulse on the particle */
 	size_t surface;	      /* of the wall: number of its mesh, or 0 */
-	size_t particle;      /* local index in POST_INTEGRATE; a rebuild changes it */
+	uint32_t groups;      /* of the particle: bits */
 	size_t first, nnodes; /* of `nodes`; none if nobody observes contacts with this surface */
 };
 
@@ -51,7 +55,7 @@ struct ts_exact_impacts {
 enum ts_status ts_exact_init(struct ts_instance *self, struct tsim *sim,
 			     const struct ts_exact_surface *surface, void *shape);
 /* In plan: refuses laws, integrators and particles for which it is not made. */
-enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 /* In POST_INTEGRATE. */
 enum ts_status ts_exact_carry(struct ts_instance *self, struct tsim *sim);
 /* In POST_FORCE, after ts_wall_finish: adds the mean forces of the step to w->force. */

@@ -308,11 +308,11 @@ enum ts_status ts_impacts_update(struct tsim *sim, struct ts_wall *w)
 	return TS_OK;
 }
 
-enum ts_status ts_impacts_append(struct tsim *sim, struct ts_impacts *impacts, size_t surface, size_t i,
-				 const struct ts_impact_event *event)
+enum ts_status ts_impacts_append(struct tsim *sim, struct ts_impacts *impacts, size_t surface,
+				 uint32_t groups, const struct ts_impact_event *event)
 {
 	struct ts_surface_impact impact = {
-		.event = *event, .surface = (double)surface, .groups = groups_of(sim, i), .seen = 1
+		.event = *event, .surface = (double)surface, .groups = (double)groups, .seen = 1
 	};
 
 	return add(sim, &impacts->added, &impact);

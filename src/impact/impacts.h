@@ -78,10 +78,10 @@ const struct ts_surface_impact *ts_surface_impacts_next(struct ts_surface_impact
 enum ts_status ts_impacts_prepare(struct ts_instance *wall, struct tsim *sim);
 /* In POST_FORCE, after ts_surface_contacts_collect: follows the contacts of this step. */
 enum ts_status ts_impacts_update(struct tsim *sim, struct ts_wall *w);
-/* Adds a whole impact of particle i on this surface of the wall (0 if it is a primitive), which has been computed
- * otherwise than step by step; at any time between the updates of the last and of this step. */
-enum ts_status ts_impacts_append(struct tsim *sim, struct ts_impacts *impacts, size_t surface, size_t i,
-				 const struct ts_impact_event *event);
+/* Adds a whole impact of a particle of these groups on this surface of the wall (0 if it is a primitive), which has been
+ * computed otherwise than step by step; at any time between the updates of the last and of this step, on all ranks. */
+enum ts_status ts_impacts_append(struct tsim *sim, struct ts_impacts *impacts, size_t surface,
+				 uint32_t groups, const struct ts_impact_event *event);
 enum ts_status ts_impacts_archive(struct ts_archive *archive, struct tsim *sim, struct ts_wall *w);
 void ts_impacts_free(struct ts_impacts *impacts);
 

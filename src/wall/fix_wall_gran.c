@@ -7,8 +7,6 @@
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
 
-#include "core/ranks.h"
-
 #include "base/banned.h"
 
 struct wall {
@@ -71,7 +69,6 @@ static enum ts_status init_exact(struct ts_instance *self, struct tsim *sim)
 
 	if (w->impact != EXACT)
 		return TS_OK;
-	TS_TRY(ts_ranks_refuse(sim, "fix wall/gran impact exact", ts_instance_word(self, "impact")));
 	if (why)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "impact"),
 			       "fix wall/gran impact exact: %s", why);
@@ -128,7 +125,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 {
 	TS_TRY(ts_wall_plan(self, sim, report));
 	ts_shared_contacts_plan(sim, self->state, report);
-	return ((const struct ts_wall *)self->state)->exact ? ts_exact_plan(self, sim) : TS_OK;
+	return ((const struct ts_wall *)self->state)->exact ? ts_exact_plan(self, sim, report) : TS_OK;
 }
 
 /* Of all shapes: a line that has been refused may have given several. */

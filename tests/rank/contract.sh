@@ -20,6 +20,12 @@ sed 's/^dump_modify.*/&\ncompute pressed all surface\/contact rough winkler 1e6 
 sed '/energy\/ledger/d; s/ f_books.*//; s/^boundary.*/boundary p p p/; s/^newton.*/&\nspecial_bonds lj 0 1 1/
 	s/createDistanceBond.*/createDistanceBond peratomtypepair 2 0.02 0.0821 0.0821 0.02/; s/random(-1,1,4711)/random(-6,6,4711)/
 	s/random 200/random 300/; s/overlap 0.08/overlap 0.085/; s/6e4/1e5/g' "$decks/in.cohesion_bonds" >in.glue
+# Exact impacts of a crowd, some of which touch each other, on a plane and a mesh that moves.
+sed 's/^boundary.*/boundary p p f/; s/-2e-3 2e-3 -2e-3 2e-3/-3e-4 3e-4 -3e-4 3e-4/; s/0\.002/0.0003/g; /^fix.*c all/d; s/ f_c\[1\]//
+	s/^region.*jet.*/region jet block -3e-4 3e-4 -3e-4 3e-4 1.3e-5 8.7e-5 units box/; s/random 100 12345 jet/random 500 12345 jet overlap 25e-6/
+	s/^fix.*step.*/pair_style spring\/dashpot\npair_coeff * * stiffness 5e-3 damping 0\n&/; s/^timestep.*/timestep 2e-8/; s/^run.*/run 25/
+	s/^fix.*plough.*/&\nfix hits all surface\/impacts surface target\ncompute hits all reduce sum f_hits[1] f_hits[2] f_hits[3]/
+	s/f_plough /&c_hits[*] /' "$decks/in.exact" >in.crowd
 # Files that libraries and other programs write.
 awk '/^run/ && !n++ { print "dump film all movie 60 ${out}.mp4 type type size 80 80\ndump track all h5md 60 ${out}.h5 position velocity radius" }
 	{ print }' "$scenes/in.outlet" >in.film
@@ -107,7 +113,7 @@ film=film # needs HDF5 and ffmpeg
 "$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
-for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact; do
+for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact crowd; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
