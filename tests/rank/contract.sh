@@ -34,7 +34,8 @@ sed 's/tangential history/& cohesion sjkr/; s/^pair_style/fix m5 all property\/g
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
 sed "s;^flow_style.*;flow_style stagnation axisymmetric point 0.03 0.02 0 normal 0 0 1 rate 20 profile viscous viscosity 2e-3 density 300;" in.stream >in.jet
 
-sed -E 's/^run.*/run 7/; s/^thermo\t.*/thermo 3/' "$decks/in.floating" >in.floating
+# Wafers on a film and on the pad.
+sed -E "s/^fix\t\tmean.*/$(grep 'fix.*w2 all wafer' "$decks/in.wafer")/; s/f_mean.*/f_w2[1] f_w2[2] f_w2[3] f_w2[4]/; s/^run.*/run 7/; s/^thermo\t.*/thermo 3/" "$decks/in.floating" >in.floating
 
 for solver in cg direct hypre multigrid sor; do
 	sed "s;^flow_boundary;pressure_style $solver\n&;" in.duct >in.$solver
