@@ -561,6 +561,8 @@ library_sources = \
 	src/flow/projection_step.c \
 	src/flow/stagnation_profile.c \
 	src/flow/stagnation_profile.h \
+	src/flow/slab_step.c \
+	src/flow/slab_step.h \
 	src/flow/step_diagnostics.c \
 	src/flow/step_diagnostics.h \
 	src/flow/time_schemes.c \

@@ -6,12 +6,23 @@
 
 #include "base/banned.h"
 
+/* Formulas of styles are looked for before a step (ts_projection_stays_apart): this one has not been found. */
+static enum ts_status fail_apart(struct tsim *sim, const char *name)
+{
+	return ts_fail(&sim->error, TS_STATE, NULL,
+		       "flow_%s is needed within a step, when each rank has the fluid in a part of the grid "
+		       "only",
+		       name);
+}
+
 #define OF_FLUID(name, value)                                                            \
 	static enum ts_status name(struct tsim *sim, double *out)                        \
 	{                                                                                \
 		struct ts_fluid *fluid;                                                  \
                                                                                          \
 		TS_TRY(ts_flow_require_fluid(sim, "keyword flow_" #name, NULL, &fluid)); \
+		if (fluid->planes.some)                                                  \
+			return fail_apart(sim, #name);                                   \
 		*out = (value);                                                          \
 		return TS_OK;                                                            \
 	}

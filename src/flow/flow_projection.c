@@ -11,6 +11,7 @@
 #include "flow/flow_resolution.h"
 #include "flow/implicit_viscosity.h"
 #include "flow/pressure_projection.h"
+#include "flow/slab_step.h"
 #include "poisson/pressure_choice.h"
 
 #include "base/banned.h"
@@ -137,6 +138,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
+	if (!sim->division || sim->run.looks)
+		ts_slab_step_complete(p);
 	if (!p->settled)
 		return make_step(self, sim);
 	p->settled = false;
@@ -150,17 +153,8 @@ static bool due(const struct ts_instance *self, const struct tsim *sim)
 	return true;
 }
 
-/* Whether ranks compute slabs of the grid in a step; else each computes all of it. */
-static bool divides(const struct ts_projection *p, const struct tsim *sim)
-{
-	const struct ts_grid *grid = &p->fluid.grid;
-
-	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= sim->world->n &&
-	       p->viscous == TS_VISCOUS_EXPLICIT && !ts_flow_time_schemes[p->time].history;
-}
-
 /* While the particles are divided among ranks: before outputs need all particles, since each rank corrects the forces on its
- * own. All ranks have the whole grid after it. The first one tells what all find. */
+ * own. The first one tells what all find. */
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
@@ -171,9 +165,9 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_fluid_share_sources(&p->fluid, sim));
 	if (!ts_ranks_first(sim))
 		sim->log.sink = NULL;
-	p->slabs.active = divides(p, sim);
+	ts_slab_step_begin(p, sim);
 	status = make_step(self, sim);
-	p->slabs.active = false;
+	ts_slab_step_end(p);
 	sim->log.sink = sink;
 	p->settled = true;
 	return status;

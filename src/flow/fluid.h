@@ -83,6 +83,12 @@ struct ts_fluid {
 	struct ts_cell_owners
 		*owners; /* while the particles are divided among ranks; owned. NULL: none yet */
 	bool apart; /* `force` and `exchange` have the sums of the particles in the cells of this rank only */
+	/* While ranks have slabs and nothing needs the whole grid: u and p, and their ghosts, have the present values in the
+	 * planes from .. to - 1 across the last axis only, if `some`. */
+	struct ts_fluid_planes {
+		bool some;
+		int from, to;
+	} planes;
 	double *p_mean; /* mean of the pressure over the stages and substeps of the last step */
 
 	double dt;	   /* length of the last step of the fluid (time units); 0: there was none */

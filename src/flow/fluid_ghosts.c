@@ -116,22 +116,28 @@ struct plane {
 	int d, a, b, from[3], to[3];
 };
 
-static struct plane plane_across(const struct ts_grid *grid, int d)
+/* `present`: without planes across the last axis that do not have the present values (fluid->planes). */
+static struct plane plane_across(const struct ts_fluid *fluid, int d, bool present)
 {
+	const struct ts_grid *grid = &fluid->grid;
 	struct plane plane = { .d = d, .a = d == 0, .b = d == 2 ? 1 : 2 };
 
 	for (int k = 0; k < 3; k++) {
 		plane.from[k] = -grid->ghosts[k];
 		plane.to[k] = grid->n[k] + grid->ghosts[k];
 	}
+	if (present && fluid->planes.some && d < 2) {
+		plane.from[2] = fluid->planes.from;
+		plane.to[2] = fluid->planes.to;
+	}
 	return plane;
 }
 
 /* Rows [from, to) of the plane; a row is along its axis a. A line across d reads of other lines only
  * values that do not change, so that rows can be processed in parallel. */
-static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, size_t to)
+static struct plane rows_across(const struct ts_fluid *fluid, int d, bool present, size_t from, size_t to)
 {
-	struct plane plane = plane_across(grid, d);
+	struct plane plane = plane_across(fluid, d, present);
 
 	plane.to[plane.b] = plane.from[plane.b] + (int)to;
 	plane.from[plane.b] += (int)from;
@@ -140,10 +146,10 @@ static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, 
 
 /* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the
  * number of threads. */
-static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_range_fn *share,
-				  void *task)
+static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, bool present, int rounds,
+				  ts_range_fn *share, void *task)
 {
-	struct plane plane = plane_across(&fluid->grid, d);
+	struct plane plane = plane_across(fluid, d, present);
 	size_t rows = (size_t)(plane.to[plane.b] - plane.from[plane.b]);
 	size_t lines = rows * (size_t)(plane.to[plane.a] - plane.from[plane.a]);
 	int team = ts_fluid_team(fluid, lines * (size_t)rounds);
@@ -309,6 +315,8 @@ struct velocity_task {
 	double *const *u;
 	int d;
 	bool keep;
+	bool present;	/* rows of ts_fluid_planes only */
+	int first, end; /* components, in their order from that across the face on */
 };
 
 /* The component across the face comes first: its sign determines the ghosts of the others on open faces. */
@@ -316,9 +324,9 @@ static void velocity_rows(void *context, size_t from, size_t to)
 {
 	const struct velocity_task *task = context;
 	const struct ts_grid *grid = &task->fluid->grid;
-	struct plane plane = rows_across(grid, task->d, from, to);
+	struct plane plane = rows_across(task->fluid, task->d, task->present, from, to);
 
-	for (int turn = 0; turn < grid->dimensions; turn++) {
+	for (int turn = task->first; turn < task->end; turn++) {
 		int c = (task->d + turn) % grid->dimensions;
 
 		if (grid->periodic[task->d]) {
@@ -334,14 +342,29 @@ static void velocity_rows(void *context, size_t from, size_t to)
 	}
 }
 
+static void fill_components(struct velocity_task *task, int first, int end, bool present)
+{
+	task->first = first;
+	task->end = end;
+	task->present = present;
+	fill_rows_in_parallel(task->fluid, task->d, present, 2 * (end - first), velocity_rows, task);
+}
+
 /* Axis by axis, each including the ghosts of the axes before it, so that edges and corners are set as
- * well. */
+ * well. The flow through boundaries is known on all ranks: the components across them are set in all planes. */
 static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool keep)
 {
+	const int components = fluid->grid.dimensions;
 	struct velocity_task task = { .fluid = fluid, .u = u, .keep = keep };
 
-	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
-		fill_rows_in_parallel(fluid, task.d, 2 * fluid->grid.dimensions, velocity_rows, &task);
+	for (task.d = 0; task.d < components; task.d++) {
+		if (!fluid->planes.some) {
+			fill_components(&task, 0, components, false);
+			continue;
+		}
+		fill_components(&task, 0, 1, fluid->grid.periodic[task.d]);
+		fill_components(&task, 1, components, true);
+	}
 }
 
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
@@ -398,7 +421,7 @@ static void centred_rows(void *context, size_t from, size_t to)
 {
 	const struct centred_task *task = context;
 	const struct ts_grid *grid = &task->fluid->grid;
-	struct plane plane = rows_across(grid, task->d, from, to);
+	struct plane plane = rows_across(task->fluid, task->d, true, from, to);
 
 	if (grid->periodic[task->d]) {
 		wrap_periodic(grid, task->field, &plane);
@@ -419,7 +442,7 @@ static void fill_centred(const struct ts_fluid *fluid, double *field, bool is_pr
 	};
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
-		fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
+		fill_rows_in_parallel(fluid, task.d, true, 2, centred_rows, &task);
 }
 
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field)
@@ -443,5 +466,5 @@ void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field)
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
 		if (fluid->grid.periodic[task.d])
-			fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
+			fill_rows_in_parallel(fluid, task.d, true, 2, centred_rows, &task);
 }

@@ -7,6 +7,7 @@
 #include "flow/particle_sources.h"
 #include "flow/pressure_projection.h"
 #include "flow/projection.h"
+#include "flow/slab_step.h"
 #include "flow/void_fraction.h"
 #include "poisson/pressure_choice.h"
 
@@ -199,44 +200,19 @@ static void add_increment(struct ts_projection *p, double dt)
 	ts_fluid_fill_pressure(fluid, fluid->p);
 }
 
-/* Index of the first value of plane k = 0, ghosts along the other axes included. */
-static size_t first_plane(const struct ts_grid *grid)
-{
-	return ts_at(grid, -grid->ghosts[0], -grid->ghosts[1], 0);
-}
-
-/* While ranks have slabs: all get the whole right-hand side, unless the solver is divided by the same slabs; and the whole
- * pressure. */
+/* While ranks have slabs: all get the whole right-hand side, unless the solver is divided by the same slabs. */
 static enum ts_status solve(struct ts_projection *p, struct tsim *sim, double *pressure,
 			    struct ts_poisson_report *report)
 {
-	const struct ts_grid *grid = &p->fluid.grid;
 	const struct ts_pressure_style *style = ts_pressure_style_of(p->pressure);
 	const bool divided = style->divided && style->divided(p->pressure);
 
 	if (!divided)
-		ts_slabs_share(&p->slabs, p->rhs + first_plane(grid), (size_t)grid->stride[2], 0);
+		ts_slab_step_share(p, p->rhs);
 	TS_TRY(style->solve(p->pressure, sim, p->rhs, pressure, report));
 	if (divided)
-		ts_slabs_share(&p->slabs, pressure + first_plane(grid), (size_t)grid->stride[2], 0);
+		ts_slab_step_solved(p, pressure);
 	return TS_OK;
-}
-
-void ts_projection_share_velocity(struct ts_projection *p)
-{
-	const struct ts_grid *grid = &p->fluid.grid;
-
-	for (int d = 0; d < grid->dimensions; d++)
-		ts_slabs_share(&p->slabs, p->fluid.u[d] + first_plane(grid), (size_t)grid->stride[2], 1);
-}
-
-void ts_projection_share_next(struct ts_projection *p)
-{
-	const struct ts_grid *grid = &p->fluid.grid;
-
-	if (p->slabs.active)
-		ts_slabs_share_next(&p->slabs, p->fluid.u[2] + first_plane(grid), (size_t)grid->stride[2],
-				    grid->periodic[2]);
 }
 
 enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct tsim *sim, double dt,
@@ -259,7 +235,7 @@ enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct t
 	ts_projection_restore_pressure(p);
 	if (pressure != fluid->p)
 		add_increment(p, dt);
-	ts_projection_share_velocity(p);
+	ts_slab_step_corrected(p);
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	return TS_OK;
 }

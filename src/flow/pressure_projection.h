@@ -4,17 +4,12 @@
 
 #include "flow/fluid.h"
 
-struct ts_projection;
-
 /* Chooses the pressure solver and prepares it for the present faces and weights; `held` as below. */
 enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, double held);
 /* Makes the velocity, whose boundary values are set, free of divergence: u -= dt/rho grad p. `held`: time
  * over which the exchange coefficient k acts in it, dt or 0. */
 enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct tsim *sim, double dt,
 					      double held);
-/* While ranks have slabs: all get the velocities of all planes; or only those of the plane above their own ones. */
-void ts_projection_share_velocity(struct ts_projection *projection);
-void ts_projection_share_next(struct ts_projection *projection);
 /* Computes div(e u) + de/dt in a row of cells. */
 void ts_flow_divergence_row(const struct ts_fluid *fluid, int j, int k, double *out);
 /* Projects an initial velocity field; the pressure is zero afterwards. */

@@ -6,6 +6,7 @@
 #include "flow/implicit_viscosity.h"
 #include "flow/particle_sources.h"
 #include "flow/pressure_projection.h"
+#include "flow/slab_step.h"
 #include "flow/step_diagnostics.h"
 #include "flow/void_fraction.h"
 
@@ -205,10 +206,7 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 	swap_fields(fluid->u, p->work);
 	ts_projection_apply_particle_forces(p, length);
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
-	if (parts_have_forces(sim))
-		ts_projection_share_velocity(p);
-	else
-		ts_projection_share_next(p);
+	ts_slab_step_predicted(p, parts_have_forces(sim));
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(apply_part_forces(sim, fluid, fluid->time + scheme->at[s] * dt, length));
 	p->pressure_time = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;

@@ -6,6 +6,7 @@
 #include "base/clones.h"
 #include "flow/flow_limits.h"
 #include "flow/pressure_projection.h"
+#include "flow/slab_step.h"
 #include "flow/step_diagnostics.h"
 
 #include "base/banned.h"
@@ -110,13 +111,15 @@ static bool bodies_explain(const struct tsim *sim, const struct ts_fluid *fluid,
 /* Fails with the limit that the step has exceeded, as far as it is known. */
 static enum ts_status fail_unstable(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
 {
-	const struct ts_projection *p = self->state;
+	struct ts_projection *p = self->state;
 	const struct ts_fluid *fluid = &p->fluid;
-	struct ts_flow_limits limits = ts_flow_limits(p);
+	struct ts_flow_limits limits;
 	const char *time = ts_flow_time_names[p->time];
 	double x[3] = { 0 };
 	char cause[512];
 
+	ts_slab_step_complete(p);
+	limits = ts_flow_limits(p);
 	if (bodies_explain(sim, fluid, dt, cause, sizeof cause))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "the fluid left the region of stable steps at time %g with a step of %g: %s",

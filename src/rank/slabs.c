@@ -39,35 +39,54 @@ static struct ts_parcel planes(double *field, size_t stride, size_t from, size_t
 				   .n = (to - from) * stride * sizeof *field };
 }
 
-void ts_slabs_share(const struct ts_slabs *slabs, double *field, size_t stride, int more)
+void ts_slabs_share(const struct ts_slabs *slabs, const struct ts_slabs_field *field)
 {
 	const int ranks = ts_slabs_ranks(slabs);
-	const size_t n = ranks > 1 ? (size_t)slabs->n : 0;
+	const size_t n = ranks > 1 ? (size_t)slabs->n : 0, before = (size_t)field->before;
+	double *lowest = field->first - before * field->stride;
 
 	if (ranks == 1)
 		return;
 	for (int r = 0; r < ranks; r++)
-		slabs->in[r] = planes(field, stride, ts_slabs_part(slabs, r, n),
-				      ts_slabs_part(slabs, r + 1, n) + (r == ranks - 1 ? (size_t)more : 0));
+		slabs->in[r] = planes(lowest, field->stride, r ? before + ts_slabs_part(slabs, r, n) : 0,
+				      before + ts_slabs_part(slabs, r + 1, n) +
+					      (r == ranks - 1 ? (size_t)field->behind : 0));
 	for (int r = 0; r < ranks; r++)
 		slabs->out[r] = slabs->in[slabs->world->rank];
 	ts_world_swap(slabs->world, slabs->out, slabs->in);
 }
 
-void ts_slabs_share_next(const struct ts_slabs *slabs, double *field, size_t stride, bool ring)
+/* Each rank gets the `depth` planes of the rank beside it that are next to its own ones, up: of that above. */
+static void share_side(const struct ts_slabs *slabs, const struct ts_slabs_field *field, size_t depth,
+		       bool up, bool ring)
 {
-	const int ranks = ts_slabs_ranks(slabs), rank = ranks > 1 ? slabs->world->rank : 0;
-	size_t from, to, first;
+	const int ranks = slabs->world->n, rank = slabs->world->rank;
+	const int from = (rank + (up ? 1 : ranks - 1)) % ranks, to = (rank + (up ? ranks - 1 : 1)) % ranks;
+	const bool first = rank == 0, last = rank == ranks - 1;
+	size_t own[2], there[2];
 
-	if (ranks == 1)
-		return;
 	for (int r = 0; r < ranks; r++)
 		slabs->in[r] = slabs->out[r] = (struct ts_parcel){ 0 };
-	ts_slabs_own(slabs, (size_t)slabs->n, &from, &to);
-	first = rank == ranks - 1 ? 0 : to;
-	if (rank > 0 || ring)
-		slabs->out[(rank + ranks - 1) % ranks] = planes(field, stride, from, from + 1);
-	if (rank < ranks - 1 || ring)
-		slabs->in[(rank + 1) % ranks] = planes(field, stride, first, first + 1);
+	for (int k = 0; k < 2; k++) {
+		own[k] = ts_slabs_part(slabs, rank + k, (size_t)slabs->n);
+		there[k] = ts_slabs_part(slabs, from + k, (size_t)slabs->n);
+	}
+	if (ring || !(up ? first : last))
+		slabs->out[to] = planes(field->first, field->stride, up ? own[0] : own[1] - depth,
+					up ? own[0] + depth : own[1]);
+	if (ring || !(up ? last : first))
+		slabs->in[from] = planes(field->first, field->stride, up ? there[0] : there[1] - depth,
+					 up ? there[0] + depth : there[1]);
 	ts_world_swap(slabs->world, slabs->out, slabs->in);
+}
+
+void ts_slabs_share_beside(const struct ts_slabs *slabs, const struct ts_slabs_field *field, int below,
+			   int above, bool ring)
+{
+	if (ts_slabs_ranks(slabs) == 1)
+		return;
+	if (above)
+		share_side(slabs, field, (size_t)above, true, ring);
+	if (below)
+		share_side(slabs, field, (size_t)below, false, ring);
 }

@@ -48,11 +48,19 @@ static inline void ts_slabs_rows(const struct ts_slabs *slabs, int planes, int h
 	*to = (long)(end + (end == (size_t)planes ? (size_t)more : 0)) * height;
 }
 
-/* All ranks call it: each gets the planes of the others. field: the first value of plane 0; stride: values from plane to
- * plane; more: planes behind the last one that are those of the last rank. */
-void ts_slabs_share(const struct ts_slabs *slabs, double *field, size_t stride, int more);
-/* Each rank gets the first plane of the next rank, behind its own ones; the last one that of the first, in plane 0, if
- * `ring`. */
-void ts_slabs_share_next(const struct ts_slabs *slabs, double *field, size_t stride, bool ring);
+/* Planes of a field. */
+struct ts_slabs_field {
+	double *first; /* value of plane 0 */
+	size_t stride; /* values from plane to plane */
+	/* planes before plane 0, which are those of the first rank, and behind the last one, which are those of the last */
+	int before, behind;
+};
+
+/* All ranks call them. Each gets the planes of all others. */
+void ts_slabs_share(const struct ts_slabs *slabs, const struct ts_slabs_field *field);
+/* Each gets the `below` planes below its own ones, and the `above` planes above them, as many as a slab has at most, from the
+ * ranks beside it; `ring`: the last one is beside the first. */
+void ts_slabs_share_beside(const struct ts_slabs *slabs, const struct ts_slabs_field *field, int below,
+			   int above, bool ring);
 
 #endif

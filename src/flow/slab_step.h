@@ -1,0 +1,23 @@
+/* Steps of the fluid that ranks divide: each computes a slab, planes across the last axis. */
+#ifndef TS_FLOW_SLAB_STEP_H
+#define TS_FLOW_SLAB_STEP_H
+
+#include "flow/projection.h"
+
+/* Before a step, while the particles are divided among ranks. */
+void ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim);
+void ts_slab_step_end(struct ts_projection *projection);
+/* When all ranks have all particles: and so all planes of the fluid. */
+void ts_slab_step_complete(struct ts_projection *projection);
+
+/* All do nothing while ranks do not have slabs. After the predictor: velocities that the divergence needs; those of all
+ * planes if fixes change them. */
+void ts_slab_step_predicted(struct ts_projection *projection, bool all);
+/* The pressure of all planes, or what the correction of the velocity needs of a field of which a rank has its own planes. */
+void ts_slab_step_solved(struct ts_projection *projection, double *pressure);
+/* The velocities of all planes, or those that the next predictor needs. */
+void ts_slab_step_corrected(struct ts_projection *projection);
+/* All planes of a field. */
+void ts_slab_step_share(struct ts_projection *projection, double *field);
+
+#endif
