@@ -175,6 +175,21 @@ static bool few_particles(const struct tsim *sim, const struct ts_grid *grid, do
 	return sim->world && most * sim->world->n < FEW * (double)ts_grid_cells(grid);
 }
 
+/* Between PRE_FORCE and POST_FORCE of a step no particle moves. */
+static bool agreed_in_this_step(const struct ts_cell_sort *sort, const struct tsim *sim)
+{
+	return sim->division && !sim->run.in_setup && sort->agreed == sim->clock.step &&
+	       sort->era == sim->era;
+}
+
+static enum ts_status fail_moved(struct tsim *sim)
+{
+	return ts_fail(&sim->error, TS_STATE, NULL,
+		       "particles have moved while the forces of the fluid on them were computed, which "
+		       "works "
+		       "without ranks only; use threads (OMP_NUM_THREADS)");
+}
+
 static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, struct ts_fluid *fluid,
 				 int reach)
 {
@@ -183,7 +198,11 @@ static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, st
 	if (TS_GROW(sort->last, sort->last_capacity, sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	most[0] = note_changes(sort, sim, fluid, reach);
+	if (agreed_in_this_step(sort, sim))
+		return most[0] > 0 ? fail_moved(sim) : TS_OK;
 	ts_ranks_most_of(sim, most, 2);
+	sort->agreed = sim->division && !sim->run.in_setup ? sim->clock.step : -1;
+	sort->era = sim->era;
 	if (!(most[0] > 0)) {
 		if (!sim->division)
 			use_own(sort, sim->particles);

@@ -31,6 +31,8 @@ struct ts_cell_sort {
 	uint64_t
 		grid; /* hash of the grid and the blocks: another fluid may have the memory of the one before */
 	int reach;    /* number of cells beyond its own to which a particle adds */
+	/* Step in which all ranks have agreed last whether to sort again, and how often steps had been numbered anew. */
+	int64_t agreed, era;
 	size_t row_capacity, cell_capacity, where_capacity, start_capacity, last_capacity;
 };
 

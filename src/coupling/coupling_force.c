@@ -166,7 +166,7 @@ enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsi
 		}
 	}
 	if (s->fluid)
-		ts_coupling_count_outside(s->fluid, sim, self, outside, tag);
+		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, outside, tag));
 	return style->style.late[TS_LATE_INERTIA] ? TS_OK : ts_coupling_force_add_to_fluid(self, sim);
 }
 

@@ -234,7 +234,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 		tag = found.outside && p->tag[i] < tag ? p->tag[i] : tag;
 	}
 	if (s->fluid)
-		ts_coupling_count_outside(s->fluid, sim, self, outside, tag);
+		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, outside, tag));
 	s->reynolds = reynolds;
 	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->run.unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,

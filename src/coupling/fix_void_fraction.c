@@ -61,17 +61,6 @@ static void add_particle(void *data, size_t row)
 				       ts_cell_rows_radius(&s->order.sort->of, row), s->fluid->void_fraction);
 }
 
-static double largest_radius(const struct ts_instance *self, const struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-	double largest = 0;
-
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			largest = fmax(largest, p->radius[i]);
-	return ts_ranks_most(sim, largest);
-}
-
 /* Method centre in a cell narrower than the particle may give a solid fraction above 1. */
 static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, double diameter)
 {
@@ -118,11 +107,10 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 }
 
 /* Finds the largest number of cells that a particle reaches; an error if it is too large. */
-static enum ts_status check_reach(struct ts_instance *self, struct tsim *sim, int *reach)
+static enum ts_status check_reach(struct ts_instance *self, struct tsim *sim, double largest, int *reach)
 {
 	const struct state *s = self->state;
 	struct ts_coupling_volume how = distribution_of(s, sim);
-	double largest = largest_radius(self, sim);
 
 	TS_TRY(check_centre(self, sim, 2 * largest));
 	check_kernel(self, sim, 2 * largest);
@@ -165,37 +153,47 @@ static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
 	s->warned |= cells > 0;
 }
 
-/* Whether particles have moved or changed since the field was computed: a fixed bed costs nothing. */
-static enum ts_status compare_particles(struct ts_instance *self, struct tsim *sim, bool *moved)
+/* Whether particles have moved or changed since the field was computed: a fixed bed costs nothing. *largest: radius. */
+static enum ts_status compare_particles(struct ts_instance *self, struct tsim *sim, bool *moved,
+					double *largest)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	bool changed = s->nlast != p->n;
+	double radius = 0, most[2];
 
 	if (TS_GROW(s->last_particles, s->last_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	s->nlast = p->n;
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static) reduction(|| : changed)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static) reduction(||         \
+										    : changed) \
+	reduction(max                                                                          \
+		  : radius)
 	for (size_t i = 0; i < p->n; i++) {
 		const double now[4] = { p->x[i][0], p->x[i][1], p->x[i][2],
 					ts_in_group(p, i, self->group) ? p->radius[i] : -1 };
 
+		radius = fmax(radius, now[3]);
 		if (memcmp(now, s->last_particles[i], sizeof now) == 0)
 			continue;
 		memcpy(s->last_particles[i], now, sizeof now);
 		changed = true;
 	}
-	*moved = ts_ranks_most(sim, changed) > 0;
+	most[0] = changed;
+	most[1] = radius;
+	ts_ranks_most_of(sim, most, 2);
+	*moved = most[0] > 0;
+	*largest = most[1];
 	return TS_OK;
 }
 
-static enum ts_status make_field(struct ts_instance *self, struct tsim *sim)
+static enum ts_status make_field(struct ts_instance *self, struct tsim *sim, double largest)
 {
 	struct state *s = self->state;
 	struct context context = { s, sim };
 	int reach;
 
-	TS_TRY(check_reach(self, sim, &reach));
+	TS_TRY(check_reach(self, sim, largest, &reach));
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
 	memset(s->fluid->void_fraction, 0, s->fluid->grid.size * sizeof *s->fluid->void_fraction);
 	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_particle, &context);
@@ -208,14 +206,17 @@ static enum ts_status make_field(struct ts_instance *self, struct tsim *sim)
 static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 {
 	bool moved = true;
+	double largest = 0;
 
-	TS_TRY(compare_particles(self, sim, &moved));
-	return moved ? make_field(self, sim) : TS_OK;
+	TS_TRY(compare_particles(self, sim, &moved, &largest));
+	return moved ? make_field(self, sim, largest) : TS_OK;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	bool moved;
+	double largest = 0;
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
@@ -224,7 +225,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->part.sorts = true;
 	s->sim = sim;
 	s->nlast = 0;
-	return make_field(self, sim);
+	TS_TRY(compare_particles(self, sim, &moved, &largest));
+	s->nlast = 0;
+	return make_field(self, sim, largest);
 }
 
 static const struct ts_saved saved[] = {

@@ -6,8 +6,10 @@
 
 /* Records that n particles of a fix are outside in this step; `tag`: the lowest identity among them
  * (ignored if n is 0). Warns once in a run. */
-void ts_coupling_count_outside(struct ts_fluid *fluid, struct tsim *sim, const struct ts_instance *self,
-			       size_t n, int64_t tag);
+enum ts_status ts_coupling_count_outside(struct ts_fluid *fluid, struct tsim *sim,
+					 const struct ts_instance *self, size_t n, int64_t tag);
+/* While the particles are divided among ranks, once in a step: all ranks sum what they have counted. */
+enum ts_status ts_coupling_sum_outside(struct ts_fluid *fluid, struct tsim *sim);
 /* At the end of a run: logs the largest number and the number of steps. */
 void ts_coupling_report_outside(struct ts_fluid *fluid, struct tsim *sim);
 

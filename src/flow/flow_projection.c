@@ -162,6 +162,7 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 
 	ts_deferred_loops_run(sim);
+	TS_TRY(ts_coupling_sum_outside(&p->fluid, sim));
 	TS_TRY(ts_fluid_share_sources(&p->fluid, sim));
 	if (!ts_ranks_first(sim))
 		sim->log.sink = NULL;

@@ -34,6 +34,9 @@ void ts_fluid_release(struct ts_fluid *fluid)
 			fluid->pressure[d][side].plane = NULL;
 		}
 	ts_grid_release(&fluid->grid);
+	ts_free(fluid->counted);
+	fluid->counted = NULL;
+	fluid->ncounted = fluid->counted_capacity = 0;
 	if (fluid->owners)
 		ts_cell_owners_release(fluid->owners);
 	ts_free(fluid->owners);

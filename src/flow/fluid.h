@@ -107,6 +107,13 @@ struct ts_fluid {
 		int64_t steps; /* number of steps of the simulation with particles outside */
 		int64_t last;  /* the last of these steps */
 	} outside;
+	/* Those of this rank that fixes have counted in this step: all ranks sum them at once. Owned */
+	struct ts_fluid_counted {
+		const struct ts_instance *self;
+		size_t n;
+		int64_t tag;
+	} * counted;
+	size_t ncounted, counted_capacity;
 };
 
 /* Number of threads to use for a loop of n iterations; as ts_team. */
