@@ -332,6 +332,7 @@ library_sources = \
 	src/core/number_or_peratom.h \
 	src/core/plan.c \
 	src/core/plan.h \
+	src/core/plan_set_up.c \
 	src/core/ranks.c \
 	src/core/ranks.h \
 	src/core/recorder.h \

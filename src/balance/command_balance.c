@@ -1,5 +1,6 @@
 /* Command balance: changes the blocks of ranks. */
 #include "balance/rank_balance.h"
+#include "core/ranks.h"
 #include "io/textfile.h"
 
 #include "base/banned.h"
@@ -25,11 +26,11 @@ static enum ts_status balance(struct ts_rank_balance *b, struct tsim *sim, const
 	TS_TRY(ts_balance_read(b, sim, where));
 	TS_TRY(ts_weights_check(&b->weights, sim));
 	TS_TRY(ts_balance_apply(b, sim, where, &result));
-	if (sim->world)
+	if (ts_ranks(sim) > 1)
 		ts_log(&sim->log,
 		       "Balance of %d ranks: imbalance %.6g, before %.6g; the largest load is %.10g; %d "
 		       "iterations\n",
-		       sim->world->n, result.after, result.before, result.most, result.iterations);
+		       ts_ranks(sim), result.after, result.before, result.most, result.iterations);
 	return write_file(b, sim, where);
 }
 

@@ -1,5 +1,6 @@
 /* Fix balance: changes the blocks of ranks during runs. */
 #include "balance/rank_balance.h"
+#include "core/report.h"
 #include "io/textfile.h"
 #include "particle/columns.h"
 
@@ -88,6 +89,12 @@ static enum ts_status set_up(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(evaluate(self, sim));
 	s->balance.weights.counted = sim->run.force_ticks; /* of all particles on each rank */
 	return sim->run.resuming ? TS_OK : apply(self, sim);
+}
+
+/* -explain -ranks: the blocks that a run would begin with. There are no measured times. */
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	return sim->reading.ranks && !report->limits_only ? set_up(self, sim) : TS_OK;
 }
 
 /* Steps with a number that is a multiple of Nfreq. */
@@ -215,6 +222,7 @@ const struct ts_style ts_fix_balance = {
 	.ranks = TS_RANKS_OWN | TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_OUTPUTS,
 	.due = due,
 	.init = init,
+	.plan = plan,
 	.hook = { [TS_STAGE_PRE_EXCHANGE] = rebuild,
 		  [TS_STAGE_END_OF_STEP] = end_of_step,
 		  [TS_STAGE_SETUP] = set_up },

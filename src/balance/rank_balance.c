@@ -108,7 +108,7 @@ enum ts_status ts_balance_blocks(struct ts_rank_balance *b, struct tsim *sim, st
 	static const bool closed[3] = { false, false, false };
 	const struct ts_box *box = &sim->domain->box;
 
-	if (sim->world)
+	if (ts_ranks(sim) > 1)
 		return ts_division_blocks(sim, blocks);
 	*blocks = &b->alone;
 	return ts_rank_blocks_cut(&b->alone, one, box->lo, box->hi, closed) ? TS_OK : ts_nomem(&sim->error);
@@ -120,7 +120,7 @@ static enum ts_status set_cuts(const struct ts_rank_balance *b, struct tsim *sim
 {
 	int n = blocks->count[d], k[3] = { 0 };
 
-	if (!sim->world)
+	if (ts_ranks(sim) == 1)
 		return TS_OK;
 	if (!b->uniform[d] && b->cuts[d].n != (size_t)n - 1)
 		return ts_fail(&sim->error, TS_RANGE, &b->cuts[d].word[0].place,
@@ -166,7 +166,7 @@ static enum ts_status bisect(struct tsim *sim, struct ts_rank_blocks *blocks,
 	for (int d = 0; d < 3; d++)
 		periodic[d] = ts_box_periodic(box, d);
 	*iterations = 1;
-	if (!sim->world)
+	if (ts_ranks(sim) == 1)
 		return TS_OK;
 	if (!ts_rank_blocks_bisect(blocks, ts_rank_blocks_number(blocks), box->lo, box->hi, periodic) ||
 	    ts_rank_loads_bisect(blocks, points) != TS_OK)
@@ -240,7 +240,7 @@ static enum ts_status balance(struct ts_rank_balance *b, struct tsim *sim, struc
 		return ts_nomem(&sim->error);
 	result->before = load.imbalance;
 	if (load.imbalance > b->threshold || (!b->rcb && blocks->bisection)) {
-		if (sim->world)
+		if (ts_ranks(sim) > 1)
 			sim->particles->division->held |= can_change(b, blocks);
 		TS_TRY(change_blocks(b, sim, blocks, points, &result->iterations));
 		if (ts_rank_load_find(blocks, points, &load) != TS_OK)

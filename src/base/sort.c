@@ -78,3 +78,28 @@ void ts_sort_keys(uint64_t *key, uint64_t *spare, size_t n)
 		memcpy(key, spare, n * sizeof *key);
 	}
 }
+
+/* Radix sort, from the lowest digits on; digits that are the same in all keys are left out. */
+void ts_sort_equal_keys(uint64_t *key, uint64_t *spare, size_t n)
+{
+	enum { BITS = 8, DIGITS = 1 << BITS };
+	uint64_t *from = key, *to = spare;
+
+	for (int shift = 0; shift < 64; shift += BITS) {
+		size_t first[DIGITS + 1] = { 0 };
+		uint64_t *sorted = to;
+
+		for (size_t k = 0; k < n; k++)
+			first[(from[k] >> shift & (DIGITS - 1)) + 1]++;
+		if (n && first[(from[0] >> shift & (DIGITS - 1)) + 1] == n)
+			continue;
+		for (int digit = 0; digit < DIGITS; digit++)
+			first[digit + 1] += first[digit];
+		for (size_t k = 0; k < n; k++)
+			to[first[from[k] >> shift & (DIGITS - 1)]++] = from[k];
+		to = from;
+		from = sorted;
+	}
+	if (from != key)
+		memcpy(key, from, n * sizeof *key);
+}

@@ -14,6 +14,9 @@ int ts_compare_double(const void *a, const void *b);
 /* Sorts n distinct keys in ascending order; `spare`: scratch memory for n keys. */
 void ts_sort_keys(uint64_t *key, uint64_t *spare, size_t n);
 
+/* Sorts n keys, some of which may be equal, in ascending order. */
+void ts_sort_equal_keys(uint64_t *key, uint64_t *spare, size_t n);
+
 /* qsort, whose array may not be NULL; here it may, if there is nothing to sort. */
 static inline void ts_sort(void *base, size_t n, size_t size, int (*compare)(const void *, const void *))
 {

@@ -250,34 +250,6 @@ enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_st
 	return status;
 }
 
-/* The contact list is always rebuilt; forces are computed only if something they depend on has changed
- * since the last step. So a run cut in two, in one script or by a restart file, gives the results of the
- * whole run. */
-static enum ts_status set_up_run(struct ts_plan *plan, struct tsim *sim)
-{
-	uint64_t fingerprint;
-
-	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	sim->run.resuming = !sim->legacy && fingerprint == sim->run.fingerprint;
-	if (!sim->run.resuming)
-		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
-	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
-	TS_TRY(ts_review_scene(sim, sim->clock.last_step - sim->clock.step));
-	TS_TRY(sim->tables->judge(plan, sim, sim->clock.last_step - sim->clock.step));
-	if (sim->reading.explain)
-		return TS_OK;
-	return ts_plan_first_forces(plan, sim, !sim->run.resuming);
-}
-
-enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew)
-{
-	sim->run.in_setup |= anew;
-	if (anew)
-		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
-	sim->run.in_setup = sim->run.resuming = false;
-	return ts_plan_stage(plan, sim, TS_STAGE_SETUP);
-}
-
 /* With several ranks: each gets all particles and their lists, not only a look at the particles. */
 static enum ts_status have_all(struct ts_plan *plan, struct tsim *sim)
 {
@@ -339,7 +311,7 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 	plan->watch.last = ts_ticks();
 	sim->clock.wall_start = ts_clock();
 	if (setup || sim->reading.explain)
-		status = set_up_run(plan, sim);
+		status = ts_plan_set_up(plan, sim);
 	if (sim->reading.explain)
 		sim->clock.step = sim->clock.last_step;
 	else if (status == TS_OK) /* after SETUP, in which fixes evaluate the initial state */

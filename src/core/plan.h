@@ -50,6 +50,8 @@ enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim);
 /* The one definition of a step. Loops may still be deferred when it returns: call ts_deferred_loops_run()
  * before reading particles. */
 enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim);
+/* The set-up of a run: lists, checks, and forces where they are not known (plan_set_up.c). */
+enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim);
 /* Before the first step: computes forces if `anew`, then the stage SETUP. */
 enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew);
 /* TS_STOPPED if a signal handler or the outside program has requested it. */

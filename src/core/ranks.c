@@ -183,6 +183,40 @@ bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim)
 	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || compute_reads_lists(sim);
 }
 
+/* Whether the hook of SETUP reads more than the columns of particles, or changes them. */
+static bool sets_up_whole(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_style *style = self->style;
+	/* one that acts on particles of its rank, too, is fix balance: it changes the division */
+	bool reads = !(style->ranks & TS_RANKS_OWN && style->ranks & TS_RANKS_WHOLE);
+	bool idle = style->kind == TS_KIND_SYSTEM && style->due && !style->due(self, sim);
+
+	return !(reads && style->ranks & TS_RANKS_PARTICLES) && !idle;
+}
+
+static bool review_reads_all(const struct tsim *sim)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++) {
+			const struct ts_style *style = sim->instances[kind].item[k]->style;
+
+			if (style->review && !(style->ranks & TS_RANKS_REVIEW))
+				return true;
+		}
+	return false;
+}
+
+bool ts_ranks_set_up_whole(const struct ts_plan *plan, const struct tsim *sim)
+{
+	for (size_t k = 0; k < plan->n[TS_STAGE_SETUP]; k++)
+		if (sets_up_whole(plan->actions[TS_STAGE_SETUP][k].self, sim))
+			return true;
+	/* the limits of bonds need those of all ranks */
+	return sim->run.shows_lists || sim->instances[TS_KIND_FLOW].n || sim->instances[TS_KIND_BOND].n ||
+	       compute_reads_lists(sim) || stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) ||
+	       review_reads_all(sim);
+}
+
 bool ts_ranks_step_due(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];

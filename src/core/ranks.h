@@ -53,6 +53,8 @@ enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim);
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);
 /* Whether in such a step lists of pairs or contacts are needed, too. */
 bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim);
+/* Whether a part of the set-up of a run needs lists of all contacts on each rank. */
+bool ts_ranks_set_up_whole(const struct ts_plan *plan, const struct tsim *sim);
 /* When a step begins: whether all ranks do it with all particles. */
 bool ts_ranks_step_due(const struct tsim *sim);
 /* After CHECK: all ranks rebuild the contact list, end, save, or look what runaways meet if one of them wants it. Hooks of

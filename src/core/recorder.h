@@ -3,6 +3,8 @@
 #ifndef TS_CORE_RECORDER_H
 #define TS_CORE_RECORDER_H
 
+#include <stdbool.h>
+
 #include "base/status.h"
 
 struct tsim;
@@ -18,6 +20,8 @@ struct ts_recorder {
 	void (*row)(struct ts_recorder *self, struct tsim *sim);
 	/* After each step. */
 	void (*step)(struct ts_recorder *self, struct tsim *sim);
+	/* Whether it makes a report of this script. */
+	bool (*records)(const struct ts_recorder *self);
 	/* The steps of a run have ended or failed; of a run in pieces after each piece. */
 	void (*stop)(struct ts_recorder *self, struct tsim *sim, const struct ts_plan *plan);
 	/* Before `clear` deletes all styles. */

@@ -48,19 +48,25 @@ static uint64_t cause_of(const char *check, const struct ts_place *where, const 
 	return ts_hash_value(&hash);
 }
 
+static bool is_reported(const struct ts_review *r, uint64_t cause)
+{
+	for (size_t k = 0; k < r->nreported; k++)
+		if (r->reported[k] == cause)
+			return true;
+	return false;
+}
+
 /* Records a finding; *new: it has not been reported before. */
 static enum ts_status record_finding(struct tsim *sim, uint64_t cause, bool *new)
 {
 	struct ts_review *r = &sim->review;
 
-	*new = false;
-	for (size_t k = 0; k < r->nreported; k++)
-		if (r->reported[k] == cause)
-			return TS_OK;
+	*new = !is_reported(r, cause);
+	if (!*new)
+		return TS_OK;
 	if (TS_GROW(r->reported, r->reported_capacity, r->nreported + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	r->reported[r->nreported++] = cause;
-	*new = true;
 	return TS_OK;
 }
 
@@ -77,6 +83,11 @@ enum ts_status ts_review_report(struct tsim *sim, const char *check, const struc
 		return TS_OK;
 	if (!where)
 		where = ts_sim_word(sim, 0, NULL);
+	if (sim->review.silent) {
+		sim->review.found |=
+			sim->review.answer[k] == TS_REVIEW_ERROR || !is_reported(&sim->review, cause);
+		return TS_OK;
+	}
 	va_start(args, format);
 	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
@@ -103,11 +114,36 @@ static enum ts_status review_styles(struct tsim *sim)
 	return TS_OK;
 }
 
+/* A run that resumes is not reviewed again. */
+static bool is_due(const struct tsim *sim)
+{
+	return !(sim->run.resuming && sim->review.made) && !sim->review.doubtful;
+}
+
+enum ts_status ts_review_search(struct tsim *sim, int64_t steps, bool contacts)
+{
+	struct ts_review *r = &sim->review;
+	enum ts_status status = TS_OK;
+
+	if (!is_due(sim))
+		return TS_OK;
+	r->steps = steps;
+	r->silent = true;
+	for (int k = 0; sim->tables->checks[k].name && status == TS_OK; k++) {
+		const struct ts_review_check *check = &sim->tables->checks[k];
+
+		if (check->run && check->contacts == contacts && r->answer[k] != TS_REVIEW_OFF)
+			status = check->run(sim);
+	}
+	r->silent = false;
+	return status;
+}
+
 enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 {
 	struct ts_review *r = &sim->review;
 
-	if ((sim->run.resuming && r->made) || r->doubtful)
+	if (!is_due(sim))
 		return TS_OK;
 	r->steps = steps;
 	for (int k = 0; sim->tables->checks[k].name; k++)

@@ -20,6 +20,8 @@ struct ts_review_check {
 	const char *name;			 /* for the command `review`; findings end with it */
 	const char *summary;			 /* what it finds: for the manual */
 	enum ts_status (*run)(struct tsim *sim); /* NULL: the check is in the slot `review` of styles */
+	/* It reads contacts, and finds something if, and only if, it does so in the contacts of some particle. */
+	bool contacts;
 };
 
 enum ts_review_answer { TS_REVIEW_WARN, TS_REVIEW_ERROR, TS_REVIEW_OFF };
@@ -34,10 +36,15 @@ struct ts_review {
 	bool stale;    /* -check, -explain: a run before this one was not stepped */
 	bool doubtful; /* -check: a line has failed, so that the scene is not the one intended; no review */
 	int64_t steps; /* of the run that begins */
+	bool silent;   /* nothing is reported: a finding sets `found` */
+	bool found;
 };
 
 /* Reviews the scene before the first step of a run of `steps` steps. */
 enum ts_status ts_review_scene(struct tsim *sim, int64_t steps);
+/* Executes the checks that read contacts, or those that do not, without those of styles, and sets review.found if the review
+ * would say anything. */
+enum ts_status ts_review_search(struct tsim *sim, int64_t steps, bool contacts);
 /* Sets what a finding of the check does; name NULL: of all checks; false: there is no check of that name. */
 bool ts_review_set(struct tsim *sim, const char *name, enum ts_review_answer answer);
 void ts_review_release(struct ts_review *review);

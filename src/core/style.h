@@ -97,7 +97,9 @@ enum ts_rank_use {
 	TS_RANKS_PARTICLES = 8,
 	/* All ranks do the steps in which `due` says so with all particles, as one rank does: what is rare and looks at the
 	 * particles of all ranks, such as insertions. */
-	TS_RANKS_STEPS = 16
+	TS_RANKS_STEPS = 16,
+	/* Its `review` reads no particles and no contacts, but with -explain. */
+	TS_RANKS_REVIEW = 32
 };
 
 struct ts_carrier;
@@ -195,7 +197,7 @@ struct ts_style {
 	 * fini, which follows, does the same after an error, but cannot report another one. */
 	ts_hook_fn *close;
 	unsigned ranks; /* enum ts_rank_use; commands need none, as each rank has all particles then */
-	/* Whether a hook of END_OF_STEP or OUTPUT has anything to do in this step, with TS_RANKS_STEPS any hook, asked when
+	/* Whether a hook of END_OF_STEP or OUTPUT, of systems SETUP, has anything to do in this step, with TS_RANKS_STEPS any hook, asked when
 	 * the step begins; NULL: always. */
 	bool (*due)(const struct ts_instance *self, const struct tsim *sim);
 	/* While the particles are divided among ranks, before all ranks get all particles: sums over the particles of this

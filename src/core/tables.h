@@ -17,6 +17,9 @@ struct ts_tables {
 	/* Called before the first step of a run of that many steps: prints its plan with -explain, refuses
 	 * a time step beyond a stability limit. */
 	enum ts_status (*judge)(struct ts_plan *plan, struct tsim *sim, int64_t steps);
+	enum ts_status (*judge_own)(struct tsim *sim);
+	/* With several ranks, when a run begins: each keeps the particles of its block only; the stage BUILD makes lists. */
+	enum ts_status (*keep_own)(struct tsim *sim);
 	/* With several ranks: each keeps the particles of its block only; each gets all particles, for outputs that read
 	 * nothing else without the lists of pairs and contacts. */
 	enum ts_status (*divide)(struct ts_plan *plan, struct tsim *sim);

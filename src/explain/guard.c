@@ -245,6 +245,12 @@ static bool has_consequences(const struct tsim *sim, const struct ts_plan_report
 	return false;
 }
 
+bool ts_guard_has_doubts(struct tsim *sim, const struct ts_plan_report *report)
+{
+	reset_if_new_dt(sim->guard, sim);
+	return report->undecided || has_consequences(sim, report, ts_report_binding(report, true));
+}
+
 /* Each rank has the limits of its own particles; the least one of all ranks is that which one rank would find. */
 static enum ts_status check_own_limits(struct tsim *sim, const struct ts_plan_report *report)
 {

@@ -30,6 +30,8 @@ struct ts_guard {
 /* At the start of a run: a time step beyond a stability limit is an error; one near a limit, or beyond an
  * advised value, gives a warning, once for each cause. */
 enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *report);
+/* Whether that, of the limits of the particles of this rank, may say or refuse anything. */
+bool ts_guard_has_doubts(struct tsim *sim, const struct ts_plan_report *report);
 
 /* Limits (time) above this one cause no warning. */
 double ts_guard_enough(const struct tsim *sim);

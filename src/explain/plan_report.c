@@ -189,6 +189,17 @@ static bool has_price(const struct ts_plan_report *report, const struct tsim *si
 	       (!hard || sim->clock.dt < hard->dt || sim->run.unsafe);
 }
 
+enum ts_status ts_plan_judge_own(struct tsim *sim)
+{
+	struct ts_plan_report report = { .advice = true, .enough = ts_guard_enough(sim) };
+	enum ts_status status = ts_report_collect(&report, sim);
+
+	if (status == TS_OK)
+		sim->review.found |= ts_guard_has_doubts(sim, &report);
+	ts_report_release(&report);
+	return status;
+}
+
 enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
 	struct ts_plan_report report = { .advice = true,

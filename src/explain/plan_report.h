@@ -7,5 +7,7 @@
 /* Collects limits and report lines of all instances, checks the time step against the limits (error or
  * warning), and prints the report if sim->reading.explain. The slot `judge` of struct ts_tables. */
 enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t steps);
+/* While the particles are divided among ranks: sets review.found if that may have anything to say of those of this rank. */
+enum ts_status ts_plan_judge_own(struct tsim *sim);
 
 #endif

@@ -17,8 +17,13 @@ static const double LATENCY = 1.5e-6, BANDWIDTH = 12e9;
  * a copy costs, by what a particle costs beside its contacts. Measured: doc/scaling.md. */
 static const double OF_CONTACTS = 0.6, OF_COPY = 0.5;
 
-/* pairs[r]: candidate pairs that rank r computes; those of particles of two ranks are computed on both. */
-static size_t count_pairs(const struct tsim *sim, const struct ts_rank_layout *layout, size_t *pairs)
+/* Candidate pairs that a rank computes, and those of them that another one computes, too, because it has one of the particles. */
+struct pairs {
+	size_t n, shared;
+};
+
+/* Counts pairs by rank; returns those of one rank that has all particles. */
+static size_t count_pairs(const struct tsim *sim, const struct ts_rank_layout *layout, struct pairs *pairs)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
@@ -28,14 +33,16 @@ static size_t count_pairs(const struct tsim *sim, const struct ts_rank_layout *l
 		bool image = (size_t)list->j[k] >= p->n; /* listed again with the other particle as i */
 		int32_t a = layout->owner[list->i[k]], b = image ? a : layout->owner[list->j[k]];
 
-		pairs[a]++;
-		pairs[b] += a != b;
+		pairs[a].n++;
+		pairs[b].n += a != b;
+		pairs[a].shared += a != b;
+		pairs[b].shared += a != b;
 	}
 	return n;
 }
 
 /* The numbers of a rank that are printed, and the time of its step. */
-enum { PARTICLES, COPIES, PAIRS, MESSAGES, BYTES, SECONDS, NFACTS };
+enum { PARTICLES, COPIES, PAIRS, SHARED, MESSAGES, BYTES, SECONDS, NFACTS };
 
 struct facts {
 	double first[NFACTS], mean[NFACTS], most[NFACTS];
@@ -52,7 +59,7 @@ static void add_facts(struct facts *facts, const double *of, int rank, int ranks
 }
 
 static void find_facts(const struct tsim *sim, const struct ts_plan_report *report,
-		       const struct ts_rank_layout *layout, const size_t *pairs, size_t all_pairs,
+		       const struct ts_rank_layout *layout, const struct pairs *pairs, size_t all_pairs,
 		       double seconds, struct facts *facts)
 {
 	double bytes = (double)ts_copies_step_bytes(sim->particles), n = (double)sim->particles->n,
@@ -63,7 +70,8 @@ static void find_facts(const struct tsim *sim, const struct ts_plan_report *repo
 		const struct ts_rank_part *part = &layout->part[r];
 		double of[NFACTS] = { [PARTICLES] = (double)part->particles,
 				      [COPIES] = (double)part->copies,
-				      [PAIRS] = (double)pairs[r],
+				      [PAIRS] = (double)pairs[r].n,
+				      [SHARED] = (double)pairs[r].shared,
 				      [MESSAGES] = (double)part->partners * (1 + report->copied.messages) +
 						   report->shared.messages,
 				      [BYTES] = (bytes + report->copied.bytes) * (double)part->sent +
@@ -83,13 +91,18 @@ static void print_facts(struct tsim *sim, const struct ts_rank_layout *layout, c
 		const char *name;
 		int fact;
 	} rows[] = {
-		{ "particles", PARTICLES },	{ "copies of others'", COPIES },
-		{ "candidate pairs", PAIRS },	{ "messages sent a step", MESSAGES },
-		{ "bytes sent a step", BYTES },
+		{ "particles", PARTICLES },	      { "copies of others'", COPIES },
+		{ "candidate pairs", PAIRS },	      { "of them on two ranks", SHARED },
+		{ "messages sent a step", MESSAGES }, { "bytes sent a step", BYTES },
 	};
 
-	ts_log(&sim->log, "%d ranks, %d x %d x %d blocks, now:\n  %-22s %12s %12s %12s\n", layout->ranks,
-	       layout->count[0], layout->count[1], layout->count[2], "of a rank", "first", "mean", "most");
+	ts_log(&sim->log, "%d ranks, ", layout->ranks);
+	if (layout->bisected)
+		ts_log(&sim->log, "blocks of a recursive bisection");
+	else
+		ts_log(&sim->log, "%d x %d x %d blocks", layout->count[0], layout->count[1],
+		       layout->count[2]);
+	ts_log(&sim->log, ", now:\n  %-22s %12s %12s %12s\n", "of a rank", "first", "mean", "most");
 	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
 		ts_log(&sim->log, "  %-22s %12.0f %12.1f %12.0f\n", rows[k].name, facts->first[rows[k].fact],
 		       facts->mean[rows[k].fact], facts->most[rows[k].fact]);
@@ -129,7 +142,7 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 enum ts_status ts_rank_report(struct tsim *sim, const struct ts_plan_report *report, double seconds)
 {
 	int ranks = ts_ranks(sim);
-	size_t *pairs = ts_alloc((size_t)ranks, sizeof *pairs);
+	struct pairs *pairs = ts_alloc((size_t)ranks, sizeof *pairs);
 	struct ts_rank_layout layout = { .ranks = ranks };
 	enum ts_status status = pairs ? TS_OK : ts_nomem(&sim->error);
 

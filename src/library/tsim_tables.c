@@ -48,6 +48,8 @@ const struct ts_tables ts_tables = {
 	.systems = systems,
 	.checks = ts_review_table,
 	.judge = ts_plan_judge,
+	.judge_own = ts_plan_judge_own,
+	.keep_own = ts_division_keep_own,
 	.divide = ts_division_divide,
 	.gather = ts_division_gather,
 };

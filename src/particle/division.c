@@ -23,12 +23,14 @@ enum { FEW = 100 };
  * steps in which particles are divided anyway, and in others, for which all of them are gathered. */
 static const double UNEVEN = 1.05, VERY_UNEVEN = 1.2;
 
-/* The length of the space that most of the particles fill, from points sorted along d; not 0. */
-static double filled_length(double (*x)[3], size_t n, int d, double box_length)
+/* The lengths of the space that most of the particles fill, not 0. */
+static bool find_filled(double (*x)[3], size_t n, const double lo[3], const double hi[3], double length[3])
 {
-	size_t few = n / 20;
-
-	return n ? fmax(x[n - 1 - few][d] - x[few][d], 1e-3 * box_length) : box_length;
+	if (n && !ts_rank_points_filled(x, n, n / 20, length))
+		return false;
+	for (int k = 0; k < 3; k++)
+		length[k] = n ? fmax(length[k], 1e-3 * (hi[k] - lo[k])) : hi[k] - lo[k];
+	return true;
 }
 
 static enum ts_status find_grid(struct tsim *sim, int ranks, const double length[3], int count[3])
@@ -47,11 +49,8 @@ static enum ts_status choose_grid(struct tsim *sim, int ranks, double (*x)[3], s
 {
 	double length[3];
 
-	for (int k = 0; k < 3; k++) {
-		ts_rank_points_sort(x, n, k);
-		length[k] = filled_length(x, n, k, hi[k] - lo[k]);
-	}
-	return find_grid(sim, ranks, length, count);
+	return find_filled(x, n, lo, hi, length) ? find_grid(sim, ranks, length, count)
+						 : ts_nomem(&sim->error);
 }
 
 static void find_periodic(const struct tsim *sim, bool periodic[3])
@@ -75,10 +74,9 @@ static enum ts_status cut_space(struct tsim *sim, int ranks, double (*at)[3], co
 		memcpy(x, at, p->n * sizeof *x);
 	if (status == TS_OK)
 		status = choose_grid(sim, ranks, x, p->n, lo, hi, count);
-	if (status == TS_OK && !ts_rank_blocks_cut(blocks, count, lo, hi, periodic))
+	if (status == TS_OK &&
+	    !(ts_rank_blocks_cut(blocks, count, lo, hi, periodic) && ts_rank_blocks_balance(blocks, x, p->n)))
 		status = ts_nomem(&sim->error);
-	if (status == TS_OK)
-		ts_rank_blocks_balance(blocks, x, p->n);
 	ts_free(x);
 	return status;
 }
@@ -109,14 +107,15 @@ static bool blocks_fit(const struct tsim *sim, struct ts_division *d, const doub
 }
 
 /* owner[i]: the rank of each particle; returns the particles of the rank that has most, counted in n[rank]. */
-static size_t find_owners(const struct tsim *sim, const struct ts_division *d, int32_t *owner, size_t *n)
+static size_t find_owners(const struct tsim *sim, const struct ts_division *d, double (*at)[3],
+			  int32_t *owner, size_t *n)
 {
 	const struct ts_particles *p = sim->particles;
 	size_t most = 0;
 
 	memset(n, 0, (size_t)d->ranks * sizeof *n);
 	for (size_t i = 0; i < p->n; i++) {
-		owner[i] = (int32_t)ts_rank_blocks_owner(&d->blocks, p->xhold[i]);
+		owner[i] = (int32_t)ts_rank_blocks_owner(&d->blocks, at[i]);
 		n[owner[i]]++;
 	}
 	for (int r = 0; r < d->ranks; r++)
@@ -130,21 +129,39 @@ static bool is_uneven(const struct ts_division *d, double factor, double n)
 	return !d->held && n > factor * (double)d->cut_most + FEW;
 }
 
+/* Where the particles are, and the box. */
+struct placed {
+	double (*x)[3];
+	const double *lo, *hi;
+};
+
+/* At the last rebuild. */
+static struct placed placed_before(const struct tsim *sim)
+{
+	return (struct placed){ sim->particles->xhold, sim->domain->held_lo, sim->domain->held_hi };
+}
+
+static struct placed placed_now(const struct tsim *sim)
+{
+	return (struct placed){ sim->particles->x, sim->domain->box.lo, sim->domain->box.hi };
+}
+
 /* All ranks have the same particles, and choose the same blocks. */
-static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, int32_t *owner)
+static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, const struct placed *placed,
+				    int32_t *owner)
 {
 	size_t *n = ts_alloc((size_t)d->ranks, sizeof *n), most = 0;
 	enum ts_status status = n ? TS_OK : ts_nomem(&sim->error);
-	bool fit = blocks_fit(sim, d, sim->domain->held_lo, sim->domain->held_hi);
+	bool fit = blocks_fit(sim, d, placed->lo, placed->hi);
 
 	sim->run.uneven = false;
 	d->held &= fit;
 	if (status == TS_OK && fit)
-		most = find_owners(sim, d, owner, n);
+		most = find_owners(sim, d, placed->x, owner, n);
 	if (status == TS_OK && (!fit || is_uneven(d, UNEVEN, (double)most))) {
-		status = ts_division_cut(sim, sim->world->n, &d->blocks);
+		status = cut_space(sim, sim->world->n, placed->x, placed->lo, placed->hi, &d->blocks);
 		if (status == TS_OK)
-			d->cut_most = find_owners(sim, d, owner, n);
+			d->cut_most = find_owners(sim, d, placed->x, owner, n);
 	}
 	ts_free(n);
 	return status;
@@ -354,12 +371,12 @@ static enum ts_status remake_lists(struct ts_plan *plan, struct tsim *sim, struc
 	return status;
 }
 
-static enum ts_status keep_own_particles(struct tsim *sim, struct ts_division *d)
+static enum ts_status keep_own_particles(struct tsim *sim, struct ts_division *d, struct placed placed)
 {
 	const struct ts_particles *p = sim->particles;
 	unsigned char *gone = ts_alloc(p->n, sizeof *gone);
 	int32_t *owner = ts_alloc(p->n, sizeof *owner);
-	enum ts_status status = gone && owner ? choose_blocks(sim, d, owner) : ts_nomem(&sim->error);
+	enum ts_status status = gone && owner ? choose_blocks(sim, d, &placed, owner) : ts_nomem(&sim->error);
 
 	for (size_t i = 0; status == TS_OK && i < p->n; i++)
 		gone[i] = owner[i] != sim->world->rank;
@@ -380,7 +397,7 @@ static enum ts_status make_division(struct tsim *sim)
 	sim->particles->division = d;
 	if (!d)
 		return ts_nomem(&sim->error);
-	d->ranks = sim->world->n;
+	d->ranks = ts_ranks(sim);
 	return ts_copies_init(&d->copies, d->ranks) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
@@ -398,6 +415,16 @@ enum ts_status ts_division_blocks(struct tsim *sim, struct ts_rank_blocks **bloc
 	d->held = false;
 	d->cut_most = p->n / (size_t)d->ranks;
 	return cut_space(sim, d->ranks, p->x, box->lo, box->hi, &d->blocks);
+}
+
+enum ts_status ts_division_plan(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
+{
+	const struct ts_domain *domain = sim->domain;
+	struct ts_division *d = sim->particles->division;
+
+	if (!d || !d->held || d->ranks != ranks || !blocks_fit(sim, d, domain->held_lo, domain->held_hi))
+		return ts_division_cut(sim, ranks, blocks);
+	return ts_rank_blocks_copy(blocks, &d->blocks) ? TS_OK : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_division_cut_equal(struct tsim *sim, struct ts_rank_blocks *blocks)
@@ -506,6 +533,17 @@ enum ts_status ts_division_hide(struct tsim *sim)
 	return sim->division ? restore_ghosts(sim, &sim->division->look) : TS_OK;
 }
 
+enum ts_status ts_division_keep_own(struct tsim *sim)
+{
+	TS_TRY(sim->particles->check_movers(sim)); /* the same message from all ranks */
+	TS_TRY(make_division(sim));
+	TS_TRY(keep_own_particles(sim, sim->particles->division,
+				  sim->run.resuming ? placed_before(sim) : placed_now(sim)));
+	listen(sim, sim->particles->division);
+	sim->division = sim->particles->division;
+	return TS_OK;
+}
+
 enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 {
 	struct ts_division *d;
@@ -520,7 +558,7 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 		sim->division = d;
 		return TS_OK;
 	}
-	TS_TRY(keep_own_particles(sim, d));
+	TS_TRY(keep_own_particles(sim, d, placed_before(sim)));
 	listen(sim, d);
 	sim->division = d;
 	return remake_lists(plan, sim, d); /* these continue the contacts of the old lists */
@@ -619,7 +657,8 @@ enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool l
 	struct ts_division *d = sim->division;
 
 	ts_deferred_loops_run(sim);
-	TS_TRY(join_sums(sim));
+	if (!sim->run.resuming) /* when a continued run begins, all ranks have the sums of the last step */
+		TS_TRY(join_sums(sim));
 	d->gathered++;
 	if (blocks_are_uneven(sim, d) || sim->run.uneven || lists)
 		return gather_all(plan, sim, d);

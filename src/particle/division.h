@@ -45,6 +45,7 @@ struct ts_division {
 };
 
 /* Slots of struct ts_tables. */
+enum ts_status ts_division_keep_own(struct tsim *sim);
 enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool lists);
 /* While the particles are divided: appends those with chosen[i] (NULL: all) of the other ranks to the own ones of each rank, in
@@ -66,7 +67,10 @@ int64_t ts_division_sum(const struct tsim *sim, int64_t number);
  * rebuild. */
 enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks);
 
-/* The blocks of the present ranks, for the commands that change them; made if there are none that fit the box. */
+/* The blocks that so many ranks would have: those that balance has chosen, or those of ts_division_cut. */
+enum ts_status ts_division_plan(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks);
+
+/* The blocks of the present ranks, or of those for which a run is planned, for the commands that change them; made if there are none that fit the box. */
 enum ts_status ts_division_blocks(struct tsim *sim, struct ts_rank_blocks **blocks);
 /* A grid of equal blocks instead. */
 enum ts_status ts_division_cut_equal(struct tsim *sim, struct ts_rank_blocks *blocks);

@@ -319,6 +319,7 @@ const struct ts_system_style ts_particles_system = {
 		   .saved = saved,
 		   .archive = archive,
 		   .fingerprint = fingerprint,
+		   .ranks = TS_RANKS_PARTICLES,
 		   .init = init,
 		   .plan = plan,
 		   .hook = { [TS_STAGE_POST_INTEGRATE] = assign_due_groups,

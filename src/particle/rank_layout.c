@@ -61,9 +61,11 @@ enum ts_status ts_rank_layout_make(struct tsim *sim, int ranks, double cutoff, s
 	*layout = (struct ts_rank_layout){ .ranks = ranks };
 	layout->part = ts_alloc((size_t)ranks, sizeof *layout->part);
 	layout->owner = ts_alloc(sim->particles->n, sizeof *layout->owner);
-	status = layout->part && layout->owner ? ts_division_cut(sim, ranks, &blocks) : ts_nomem(&sim->error);
+	status =
+		layout->part && layout->owner ? ts_division_plan(sim, ranks, &blocks) : ts_nomem(&sim->error);
 	for (int d = 0; d < 3; d++)
 		layout->count[d] = blocks.count[d];
+	layout->bisected = blocks.bisection != NULL;
 	if (status == TS_OK && count(sim, &blocks, cutoff, layout) != TS_OK)
 		status = ts_nomem(&sim->error);
 	ts_rank_blocks_release(&blocks);

@@ -15,6 +15,7 @@ struct ts_rank_part {
 
 struct ts_rank_layout {
 	int ranks, count[3];	   /* blocks along each dimension */
+	bool bisected;		   /* recursive bisection: `count` has no meaning */
 	struct ts_rank_part *part; /* by rank */
 	int32_t *owner;		   /* [particles]: the rank of each */
 };

@@ -1,6 +1,7 @@
 #include "rank/blocks.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "base/sort.h"
@@ -95,6 +96,34 @@ bool ts_rank_blocks_bisect(struct ts_rank_blocks *blocks, int n, const double lo
 	return blocks->bisection;
 }
 
+static void *copy_of(const void *from, size_t bytes)
+{
+	void *to = ts_alloc(bytes, 1);
+
+	if (to)
+		memcpy(to, from, bytes);
+	return to;
+}
+
+bool ts_rank_blocks_copy(struct ts_rank_blocks *to, const struct ts_rank_blocks *from)
+{
+	size_t n = (size_t)ts_rank_blocks_number(from);
+
+	begin(to, from->count, from->lo, (const double[3]){ 0 }, from->periodic);
+	memcpy(to->length, from->length, sizeof to->length);
+	if (from->bisection) {
+		to->bisection = copy_of(from->bisection, n * sizeof *to->bisection);
+		return to->bisection;
+	}
+	for (int d = 0; d < 3; d++) {
+		to->cut[d] = copy_of(from->cut[d], parts_along(from->count, d) *
+							   ((size_t)from->count[d] + 1) * sizeof *to->cut[d]);
+		if (!to->cut[d])
+			return false;
+	}
+	return true;
+}
+
 void ts_rank_blocks_fit(struct ts_rank_blocks *blocks, const double lo[3], const double hi[3])
 {
 	set_box(blocks, lo, hi);
@@ -109,92 +138,6 @@ void ts_rank_blocks_fit(struct ts_rank_blocks *blocks, const double lo[3], const
 }
 
 /* ---- balance */
-
-static int compare_along(const double *a, const double *b, int d)
-{
-	return (a[d] > b[d]) - (a[d] < b[d]);
-}
-
-static int compare_x(const void *a, const void *b)
-{
-	return compare_along(a, b, 0);
-}
-
-static int compare_y(const void *a, const void *b)
-{
-	return compare_along(a, b, 1);
-}
-
-static int compare_z(const void *a, const void *b)
-{
-	return compare_along(a, b, 2);
-}
-
-void ts_rank_points_sort(double (*x)[3], size_t n, int d)
-{
-	static int (*const compare[])(const void *, const void *) = { compare_x, compare_y, compare_z };
-
-	ts_sort(x, n, sizeof *x, compare[d]);
-}
-
-/* The first point of the upper part, next to point m, if points with the same coordinate, such as a layer of a lattice,
- * stay together. */
-static size_t between_layers(double (*x)[3], size_t n, size_t m, int d)
-{
-	size_t lower = m, upper = m;
-
-	while (lower > 0 && x[lower - 1][d] == x[m][d])
-		lower--;
-	while (lower < m && upper < n && x[upper][d] == x[m][d])
-		upper++;
-	return upper < n && upper - m < m - lower ? upper : lower;
-}
-
-/* A coordinate above that of point m - 1 and not above that of point m. */
-static double cut_before(double (*x)[3], size_t m, int d)
-{
-	double middle = x[m - 1][d] + (x[m][d] - x[m - 1][d]) / 2;
-
-	return middle > x[m - 1][d] ? middle : x[m][d];
-}
-
-/* Cuts part k[0..d-1] along d, and its blocks along the dimensions that follow. Without points the cuts stay. */
-static void balance_part(struct ts_rank_blocks *blocks, double (*x)[3], size_t n, int d, int k[3])
-{
-	size_t first = 0;
-	double *face;
-
-	if (d == 3 || n == 0)
-		return;
-	ts_rank_points_sort(x, n, d);
-	face = ts_rank_blocks_faces(blocks, d, k);
-	for (k[d] = 0; k[d] < blocks->count[d]; k[d]++) {
-		size_t last = n;
-
-		if (k[d] < blocks->count[d] - 1) {
-			last = between_layers(x, n, n * ((size_t)k[d] + 1) / (size_t)blocks->count[d], d);
-			last = last > first ? last : first;
-			face[k[d] + 1] = last > 0 ? cut_before(x, last, d) : x[0][d];
-		}
-		balance_part(blocks, x + first, last - first, d + 1, k);
-		first = last;
-	}
-}
-
-void ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n)
-{
-	int k[3] = { 0 };
-
-	balance_part(blocks, x, n, 0, k);
-}
-
-void ts_rank_blocks_release(struct ts_rank_blocks *blocks)
-{
-	for (int d = 0; d < 3; d++)
-		ts_free(blocks->cut[d]);
-	ts_free(blocks->bisection);
-	*blocks = (struct ts_rank_blocks){ 0 };
-}
 
 /* The last block whose lower face is not above x: compared with the same numbers by all ranks, so that a point on a
  * cut belongs to exactly one. */
@@ -211,6 +154,149 @@ static int block_along(const double *face, int count, double x)
 			hi = middle;
 	}
 	return lo;
+}
+
+/* Coordinates as integers in the same order. */
+static uint64_t key_of(double x)
+{
+	uint64_t bits;
+
+	memcpy(&bits, &x, sizeof bits);
+	return bits >> 63 ? ~bits : bits | UINT64_C(1) << 63;
+}
+
+static double coordinate(uint64_t key)
+{
+	uint64_t bits = key >> 63 ? key & ~(UINT64_C(1) << 63) : ~key;
+	double x;
+
+	memcpy(&x, &bits, sizeof x);
+	return x;
+}
+
+/* key: [2][n]; the sorted ones are the first n. */
+static void sort_along(double (*x)[3], size_t n, int d, uint64_t *key)
+{
+	for (size_t i = 0; i < n; i++)
+		key[i] = key_of(x[i][d]);
+	ts_sort_equal_keys(key, key + n, n);
+}
+
+bool ts_rank_points_filled(double (*x)[3], size_t n, size_t few, double length[3])
+{
+	uint64_t *key = ts_alloc_unset(2 * n + 1, sizeof *key);
+
+	for (int d = 0; key && d < 3; d++) {
+		sort_along(x, n, d, key);
+		length[d] = coordinate(key[n - 1 - few]) - coordinate(key[few]);
+	}
+	ts_free(key);
+	return key != NULL;
+}
+
+/* The first point of the upper part, next to point m, if points with the same coordinate, such as a layer of a lattice,
+ * stay together. */
+static size_t between_layers(const uint64_t *key, size_t n, size_t m)
+{
+	double layer = coordinate(key[m]);
+	size_t lower = m, upper = m;
+
+	while (lower > 0 && coordinate(key[lower - 1]) == layer)
+		lower--;
+	while (lower < m && upper < n && coordinate(key[upper]) == layer)
+		upper++;
+	return upper < n && upper - m < m - lower ? upper : lower;
+}
+
+/* A coordinate above that of point m - 1 and not above that of point m. */
+static double cut_before(const uint64_t *key, size_t m)
+{
+	double below = coordinate(key[m - 1]), above = coordinate(key[m]);
+	double middle = below + (above - below) / 2;
+
+	return middle > below ? middle : above;
+}
+
+/* Cuts a part along d, and its blocks along the dimensions that follow. */
+struct balancing {
+	struct ts_rank_blocks *blocks;
+	uint64_t *key;	    /* [2][points] */
+	double (*moved)[3]; /* [points] */
+	size_t *first[3];   /* [count + 1], by dimension: the first of the points of each block, sorted */
+};
+
+/* Sets the cuts of a part from its points; first[k], k <= count: of the points of its blocks. */
+static void cut_part(const struct balancing *b, double (*x)[3], size_t n, int d, double *face)
+{
+	size_t *first = b->first[d], count = (size_t)b->blocks->count[d];
+
+	sort_along(x, n, d, b->key);
+	first[0] = 0;
+	first[count] = n;
+	for (size_t k = 1; k < count; k++) {
+		size_t at = between_layers(b->key, n, n * k / count);
+
+		first[k] = at > first[k - 1] ? at : first[k - 1];
+		face[k] = first[k] > 0 ? cut_before(b->key, first[k]) : coordinate(b->key[0]);
+	}
+}
+
+/* Puts the points of each block next to each other. */
+static void sort_by_block(const struct balancing *b, double (*x)[3], size_t n, int d, const double *face)
+{
+	size_t *next = b->first[d], count = (size_t)b->blocks->count[d];
+
+	for (size_t i = 0; i < n; i++)
+		memcpy(b->moved[next[block_along(face, (int)count, x[i][d])]++], x[i], sizeof *x);
+	memcpy(x, b->moved, n * sizeof *x);
+	for (size_t k = count; k > 0; k--) /* each has become the first one of the next block */
+		next[k] = next[k - 1];
+	next[0] = 0;
+}
+
+/* Without points the cuts stay. */
+static void balance_part(const struct balancing *b, double (*x)[3], size_t n, int d, int k[3])
+{
+	double *face;
+
+	if (d == 3 || n == 0)
+		return;
+	face = ts_rank_blocks_faces(b->blocks, d, k);
+	cut_part(b, x, n, d, face);
+	if (d == 2)
+		return;
+	sort_by_block(b, x, n, d, face);
+	for (k[d] = 0; k[d] < b->blocks->count[d]; k[d]++)
+		balance_part(b, x + b->first[d][k[d]], b->first[d][k[d] + 1] - b->first[d][k[d]], d + 1, k);
+}
+
+bool ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n)
+{
+	struct balancing b = { .blocks = blocks,
+			       .key = ts_alloc_unset(2 * n + 1, sizeof *b.key),
+			       .moved = ts_alloc_unset(n + 1, sizeof *b.moved) };
+	bool done = b.key && b.moved;
+	int k[3] = { 0 };
+
+	for (int d = 0; d < 3; d++) {
+		b.first[d] = ts_alloc((size_t)blocks->count[d] + 1, sizeof *b.first[d]);
+		done &= b.first[d] != NULL;
+	}
+	if (done)
+		balance_part(&b, x, n, 0, k);
+	for (int d = 0; d < 3; d++)
+		ts_free(b.first[d]);
+	ts_free(b.moved);
+	ts_free(b.key);
+	return done;
+}
+
+void ts_rank_blocks_release(struct ts_rank_blocks *blocks)
+{
+	for (int d = 0; d < 3; d++)
+		ts_free(blocks->cut[d]);
+	ts_free(blocks->bisection);
+	*blocks = (struct ts_rank_blocks){ 0 };
 }
 
 /* The first rank, and their number, of the lower or upper half of these. */

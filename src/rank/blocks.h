@@ -48,10 +48,12 @@ bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const
 bool ts_rank_blocks_bisect(struct ts_rank_blocks *blocks, int n, const double lo[3], const double hi[3],
 			   const bool periodic[3]);
 /* Moves the inner cuts: each part has, as far as equal coordinates allow, the same number of these points for each of its
- * blocks. The points are sorted. */
-void ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n);
-/* Sorts points along d. */
-void ts_rank_points_sort(double (*x)[3], size_t n, int d);
+ * blocks. The order of the points changes; false: out of memory. */
+bool ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n);
+/* The lengths of the space of n > 0 points without so few at each side; false: out of memory. */
+bool ts_rank_points_filled(double (*x)[3], size_t n, size_t few, double length[3]);
+/* A copy, in place of what `to` was; false: out of memory. */
+bool ts_rank_blocks_copy(struct ts_rank_blocks *to, const struct ts_rank_blocks *from);
 /* The outer faces follow the box. */
 void ts_rank_blocks_fit(struct ts_rank_blocks *blocks, const double lo[3], const double hi[3]);
 void ts_rank_blocks_release(struct ts_rank_blocks *blocks);

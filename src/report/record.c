@@ -72,6 +72,11 @@ static void row(struct ts_recorder *self, struct tsim *sim)
 		ts_record_row(record_of(self), sim);
 }
 
+static bool records(const struct ts_recorder *self)
+{
+	return record_of((struct ts_recorder *)self)->file != NULL;
+}
+
 static void stop(struct ts_recorder *self, struct tsim *sim, const struct ts_plan *plan)
 {
 	if (record_of(self)->file)
@@ -108,7 +113,7 @@ struct ts_record *ts_record_of(struct tsim *sim)
 	record = ts_alloc(1, sizeof *record);
 	if (!record)
 		return NULL;
-	record->base = (struct ts_recorder){ begin, planned, row, step, stop, clear, release };
+	record->base = (struct ts_recorder){ begin, planned, row, step, records, stop, clear, release };
 	record->renew = TS_RECORD_RENEW;
 	record->checked = 1;
 	sim->recorder = &record->base;

@@ -184,6 +184,14 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return TS_OK;
 }
 
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_rigid *r = self->state;
+
+	(void)sim;
+	return r->n > 0;
+}
+
 static void fini(struct ts_instance *self)
 {
 	struct ts_rigid *r = self->state;
@@ -217,6 +225,7 @@ const struct ts_system_style ts_rigid_system = {
 			     [TS_STAGE_SETUP] = setup },
 		   .defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),
 		   .plan = plan,
+		   .due = due,
 		   .join = ts_rigid_join,
 		   .carrier = &ts_rigid_carrier,
 		   .claim = ts_rigid_claim,
