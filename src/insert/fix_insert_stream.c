@@ -378,30 +378,42 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* The velocity at which particles move to the face, and their displacement in a time step, length. */
+struct feed {
+	double v[3], step;
+};
+
+static struct feed feed_of(const struct state *s, const struct tsim *sim)
+{
+	struct feed feed;
+
+	ts_scale(-s->speed, s->normal, feed.v);
+	feed.step = sim->clock.dt * ts_norm(feed.v);
+	return feed;
+}
+
 /* Sets the position to start + time * v, so that neither rounding nor the forces of a set-up change the
  * path, as in LIGGGHTS. Particles that were wrapped into a periodic box are not corrected. */
-static void correct_position(struct ts_particles *p, size_t i, const double start[3], const double v[3],
-			     double time, double dt)
+static void correct_position(struct ts_particles *p, size_t i, const double start[3], const struct feed *feed,
+			     double time)
 {
 	for (int k = 0; k < 3; k++) {
-		double to = start[k] + time * v[k];
+		double to = start[k] + time * feed->v[k];
 
-		if (fabs(to - p->x[i][k]) <= dt * ts_norm(v))
+		if (fabs(to - p->x[i][k]) <= feed->step)
 			p->x[i][k] = to;
 	}
 }
 
 static void prescribe_sphere(const struct state *s, struct tsim *sim, size_t i, const double *memory,
-			     bool free)
+			     const struct feed *feed, bool free)
 {
 	struct ts_particles *p = sim->particles;
-	double v[3];
 
-	ts_scale(-s->speed, s->normal, v);
-	correct_position(p, i, memory + TS_STREAM_PLACE, v,
-			 ((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt, sim->clock.dt);
+	correct_position(p, i, memory + TS_STREAM_PLACE, feed,
+			 ((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt);
 	for (int k = 0; k < 3; k++) {
-		p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : v[k];
+		p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : feed->v[k];
 		p->f[i][k] = 0;
 		if (p->torque)
 			p->torque[i][k] = 0;
@@ -410,11 +422,11 @@ static void prescribe_sphere(const struct state *s, struct tsim *sim, size_t i, 
 	}
 }
 
-static void prescribe_motion(const struct state *s, struct tsim *sim, size_t i)
+static void prescribe_motion(const struct state *s, struct tsim *sim, size_t i, const struct feed *feed)
 {
 	double *memory = ts_stream_record(&s->stream, sim, i);
 	bool free = (double)s->stream.age >= memory[TS_STREAM_RELEASE];
-	struct ts_body *body = body_of(sim, i);
+	struct ts_body *body = sim->rigid->n ? body_of(sim, i) : NULL;
 
 	if (!(memory[TS_STREAM_RELEASE] > 0))
 		return;
@@ -427,7 +439,7 @@ static void prescribe_motion(const struct state *s, struct tsim *sim, size_t i)
 		    sim->legacy != TS_LEGACY_LIGGGHTS) /* in LIGGGHTS its spheres follow in the next step */
 			ts_rigid_place(sim, body, sim->rigid->member + first, end - first);
 	} else {
-		prescribe_sphere(s, sim, i, memory, free);
+		prescribe_sphere(s, sim, i, memory, feed, free);
 	}
 	if (free)
 		memory[TS_STREAM_RELEASE] *= -1;
@@ -436,6 +448,7 @@ static void prescribe_motion(const struct state *s, struct tsim *sim, size_t i)
 struct prescribe_task {
 	const struct state *s;
 	struct tsim *sim;
+	struct feed feed;
 };
 
 /* Position in `moving` of the first local index >= i. */
@@ -459,7 +472,7 @@ static void prescribe_range(void *context, size_t from, size_t to)
 	const struct prescribe_task *t = context;
 
 	for (size_t k = find_first_from(t->s, from); k < t->s->nmoving && (size_t)t->s->moving[k] < to; k++)
-		prescribe_motion(t->s, t->sim, (size_t)t->s->moving[k]);
+		prescribe_motion(t->s, t->sim, (size_t)t->s->moving[k], &t->feed);
 }
 
 /* Lists the particles moving to the face, which are few of many, whenever the order of particles has
@@ -483,7 +496,7 @@ static enum ts_status list_moving(struct state *s, struct tsim *sim)
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct prescribe_task task = { s, sim };
+	struct prescribe_task task = { s, sim, feed_of(s, sim) };
 
 	if (s->stream.age > s->release)
 		return TS_OK;

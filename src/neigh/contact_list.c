@@ -295,7 +295,6 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 		{ list->gather.entry_capacity, sizeof *list->gather.entry },
 		{ list->active_capacity, sizeof *list->active },
 		{ list->block_capacity, sizeof *list->block },
-		{ list->sums_left_capacity, sizeof *list->sums_left },
 		{ list->sum_capacity, sizeof *list->sum },
 		{ list->sum_rest_capacity, sizeof *list->sum_rest },
 		{ list->sum_place_capacity, sizeof *list->sum_place },
@@ -327,7 +326,6 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->span);
 	ts_free(list->active);
 	ts_free(list->block);
-	ts_free(list->sums_left);
 	ts_free(list->sum);
 	ts_free(list->sum_place);
 	ts_free(list->sums);

@@ -130,8 +130,7 @@ struct ts_contact_list {
 	struct ts_active_pair *active;
 	struct ts_active_block *block;
 	const struct ts_contact_bulge *bulge; /* by pair; NULL: no surface is displaced */
-	uint8_t *sums_left; /* by active pair: how many of its two particles have not summed it yet */
-	size_t span_capacity, active_capacity, block_capacity, memory_capacity, sums_left_capacity;
+	size_t span_capacity, active_capacity, block_capacity, memory_capacity;
 
 	/* The slots that particle i sums, see touching_sums.h: sums[i] of them, as 2 slot + side like the entries of
 	 * the gather lists, but of touching pairs only. The first ones are in the row sum[TS_SUM_ROW i] .., which

@@ -10,54 +10,72 @@
 
 #include "base/banned.h"
 
-static size_t particles_end(const struct ts_contact_list *list, size_t c)
-{
-	return c + 1 < list->chunks ? (c + 1) * TS_CONTACT_CHUNK : list->particles;
-}
-
 /* ---- which active pairs each chunk of particles has */
 
-static bool is_divided(const struct ts_contact_list *list, const struct ts_contact_chunk *c)
+struct chunk_task {
+	const struct ts_contact_list *list;
+	struct ts_contact_chunk *part; /* by share and chunk: the pairs of the share */
+};
+
+static void note_pair(struct ts_contact_chunk *chunk, int32_t particle, size_t at)
 {
-	for (int k = 0; k < list->shares; k++)
-		if (list->span[k].active <= c->first && c->end <= list->span[k].active_end)
-			return false;
-	return true;
+	struct ts_contact_chunk *c = &chunk[particle / TS_CONTACT_CHUNK];
+
+	if (!c->end)
+		c->first = at;
+	c->end = at + 1;
 }
 
-static struct ts_contact_chunk chunk_of_particles(const struct ts_contact_list *list, size_t from, size_t to)
+static void find_parts_shares(void *context, size_t from, size_t to)
 {
-	const struct ts_gather *g = &list->gather;
-	struct ts_contact_chunk c = { .first = SIZE_MAX };
+	const struct chunk_task *t = context;
+	const struct ts_contact_list *list = t->list;
 
-	for (size_t k = g->first[from]; k < g->first[to]; k++) {
-		uint32_t at = ts_contact_slot(list, g->entry[k] >> 1);
+	for (size_t k = from; k < to; k++) {
+		struct ts_contact_chunk *part = t->part + k * list->chunks;
 
-		if (at == TS_PAIR_INACTIVE)
-			continue;
-		c.first = at < c.first ? at : c.first;
-		c.end = at >= c.end ? at + 1 : c.end;
+		for (size_t at = list->span[k].active; at < list->span[k].active_end; at++) {
+			note_pair(part, list->active[at].i, at);
+			if ((size_t)list->active[at].j < list->particles)
+				note_pair(part, list->active[at].j, at);
+		}
 	}
-	if (!c.end)
-		return (struct ts_contact_chunk){ 0 };
-	c.divided = is_divided(list, &c);
-	return c;
 }
 
-static void find_chunks_share(void *context, size_t from, size_t to)
+static void join_parts_range(void *context, size_t from, size_t to)
 {
-	const struct ts_contact_list *list = context;
+	const struct chunk_task *t = context;
+	const struct ts_contact_list *list = t->list;
 
-	for (size_t c = from; c < to; c++)
-		list->chunk[c] = chunk_of_particles(list, c * TS_CONTACT_CHUNK, particles_end(list, c));
+	for (size_t c = from; c < to; c++) {
+		struct ts_contact_chunk *chunk = &list->chunk[c];
+
+		*chunk = t->part[c];
+		for (size_t k = 1; k < (size_t)list->shares; k++) {
+			const struct ts_contact_chunk *part = &t->part[k * list->chunks + c];
+
+			if (!part->end)
+				continue;
+			chunk->divided = chunk->end > 0;
+			chunk->first = chunk->end ? chunk->first : part->first;
+			chunk->end = part->end;
+		}
+	}
 }
 
 static enum ts_status find_chunks(struct tsim *sim, struct ts_contact_list *list)
 {
+	struct chunk_task task = { .list = list };
+
 	list->chunks = list->n ? (list->particles + TS_CONTACT_CHUNK - 1) / TS_CONTACT_CHUNK : 0;
 	TS_TRY(TS_RENEW(list->chunk, list->chunk_capacity, list->chunks));
 	TS_TRY(TS_RENEW(list->chunk_summed, list->chunk_summed_capacity, list->chunks));
-	ts_parallel(ts_team(sim, 4 * list->n), list->chunks, find_chunks_share, list);
+	task.part = ts_alloc((size_t)list->shares * list->chunks, sizeof *task.part);
+	if (!task.part)
+		return TS_NOMEM;
+	ts_parallel(list->shares, (size_t)list->shares, find_parts_shares, &task);
+	ts_parallel(ts_team(sim, list->chunks), list->chunks, join_parts_range, &task);
+	ts_free(task.part);
 	return TS_OK;
 }
 
@@ -67,22 +85,23 @@ struct slot_task {
 	struct ts_contact_list *list;
 	uint32_t *used; /* by share: number of slots that it needs */
 	uint32_t *free; /* by active pair: stacks of free slots, one in each share */
+	/* Pairs are linked to the chunk that sums them last. By active pair: index + 1 of the next one, 0: none; by share and
+	 * chunk: the first one. */
+	uint32_t *next, *last_summed;
 };
 
-/* Chunk c has been summed: frees the slots that no other particle has still to sum. Returns the number of
- * free slots. */
-static size_t release_slots(const struct ts_contact_list *list, size_t c, uint32_t *free, size_t n)
+/* Links the pair, unless one of its chunks is in other shares, too, and so is summed after all pairs. */
+static void link_pair(const struct slot_task *s, uint32_t *last_summed, size_t at)
 {
-	const struct ts_gather *g = &list->gather;
-	size_t end = g->first[particles_end(list, c)];
+	const struct ts_contact_list *list = s->list;
+	size_t i = (size_t)list->active[at].i, j = (size_t)list->active[at].j;
+	size_t a = i / TS_CONTACT_CHUNK, b = j < list->particles ? j / TS_CONTACT_CHUNK : a,
+	       last = a > b ? a : b;
 
-	for (size_t k = g->first[c * TS_CONTACT_CHUNK]; k < end; k++) {
-		uint32_t at = ts_contact_slot(list, g->entry[k] >> 1);
-
-		if (at != TS_PAIR_INACTIVE && !--list->sums_left[at])
-			free[n++] = list->active[at].slot;
-	}
-	return n;
+	if (list->chunk[a].divided || list->chunk[b].divided)
+		return;
+	s->next[at] = last_summed[last];
+	last_summed[last] = (uint32_t)at + 1;
 }
 
 /* Assigns slots in the order in which compute_share in contact_pass.c computes and sums. */
@@ -90,7 +109,8 @@ static void assign_slots(const struct slot_task *s, size_t share)
 {
 	struct ts_contact_list *list = s->list;
 	const struct ts_contact_span *span = &list->span[share];
-	uint32_t used = 0, *free = s->free + span->active;
+	uint32_t used = 0, *free = s->free + span->active,
+		 *last_summed = s->last_summed + share * list->chunks;
 	size_t c = 0, done, n = 0;
 
 	for (size_t b = span->block; b < span->block_end; b++) {
@@ -98,13 +118,14 @@ static void assign_slots(const struct slot_task *s, size_t share)
 		size_t end = (size_t)block->first + block->n;
 
 		for (size_t at = block->first; at < end; at++) {
-			list->sums_left[at] = (uint8_t)(1 + ((size_t)list->active[at].j < list->particles));
+			link_pair(s, last_summed, at);
 			list->active[at].slot = n ? free[--n] : used++;
 		}
 		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_PER_SUM)
 			continue;
 		while ((done = ts_contact_chunk_done(list, span->active, end, &c)) < list->chunks)
-			n = release_slots(list, done, free, n);
+			for (uint32_t at = last_summed[done]; at; at = s->next[at - 1])
+				free[n++] = list->active[at - 1].slot;
 	}
 	s->used[share] = used;
 }
@@ -132,16 +153,20 @@ static size_t offset_slots_by_share(const struct slot_task *s)
 static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *room)
 {
 	struct slot_task s = { list, ts_alloc((size_t)list->shares, sizeof *s.used),
-			       ts_alloc(list->n, sizeof *s.free) };
+			       ts_alloc_unset(list->n, sizeof *s.free),
+			       ts_alloc_unset(list->n, sizeof *s.next),
+			       ts_alloc((size_t)list->shares * list->chunks, sizeof *s.last_summed) };
 	enum ts_status status = TS_NOMEM;
 
-	if (s.used && s.free && TS_RENEW_UNSET(list->sums_left, list->sums_left_capacity, list->n) == TS_OK) {
+	if (s.used && s.free && s.next && s.last_summed) {
 		ts_parallel(list->shares, (size_t)list->shares, assign_shares_range, &s);
 		*room = offset_slots_by_share(&s);
 		status = TS_OK;
 	}
 	ts_free(s.used);
 	ts_free(s.free);
+	ts_free(s.next);
+	ts_free(s.last_summed);
 	return status;
 }
 
