@@ -34,7 +34,9 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 
 	for (size_t r = 0; r < list->n; r++) {
 		bool is_i = ts_contact_tag(list, r, 0) == p->tag[i],
-		     is_j = ts_contact_tag(list, r, 1) == p->tag[i];
+		     /* across a periodic face it is listed with either particle as i */
+			is_j = ts_contact_tag(list, r, 1) == p->tag[i] &&
+			       ts_contact_image(list, r) == TS_IMAGE_SELF;
 
 		if (!ts_contact_touches(list, r) || !(is_i || is_j))
 			continue;

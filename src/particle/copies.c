@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/sort.h"
+#include "box/domain.h"
 #include "particle/columns.h"
 #include "particle/division.h"
 #include "particle/identity.h"
@@ -169,16 +170,65 @@ static void note_copy(void *context, int rank)
 	s->copy[s->n++][1] = s->particle;
 }
 
+static int compare_copies(const void *a, const void *b)
+{
+	const int32_t *p = a, *q = b;
+
+	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* A rank may have claimed a particle several times, or be near several images of it. */
+static void remove_repeated(struct sending *s)
+{
+	size_t kept = 0;
+
+	ts_sort(s->copy, s->n, sizeof *s->copy, compare_copies);
+	for (size_t k = 0; k < s->n; k++) {
+		if (kept && !compare_copies(s->copy[kept - 1], s->copy[k]))
+			continue;
+		memmove(s->copy[kept++], s->copy[k], sizeof *s->copy);
+	}
+	s->n = kept;
+}
+
+/* Images across the sheared faces are displaced. */
+static void visit_sheared(const struct ts_domain *domain, const struct ts_rank_blocks *blocks,
+			  const double x[3], double cutoff, ts_rank_visit_fn *visit, void *context)
+{
+	const struct ts_shear *s = &domain->box.shear;
+	const double at = x[s->gradient];
+	double image[3] = { x[0], x[1], x[2] };
+
+	if (at < domain->held_lo[s->gradient] + cutoff) {
+		image[s->flow] = x[s->flow] + domain->held_offset;
+		ts_rank_blocks_visit(blocks, image, cutoff, visit, context);
+	}
+	if (at >= domain->held_hi[s->gradient] - cutoff) {
+		image[s->flow] = x[s->flow] - domain->held_offset;
+		ts_rank_blocks_visit(blocks, image, cutoff, visit, context);
+	}
+}
+
+void ts_copies_visit(const struct ts_domain *domain, const struct ts_rank_blocks *blocks, int owner,
+		     const double x[3], double cutoff, ts_rank_visit_fn *visit, void *context)
+{
+	if (!ts_rank_blocks_inside(blocks, owner, x, cutoff))
+		ts_rank_blocks_visit(blocks, x, cutoff, visit, context);
+	if (domain->box.shear.on)
+		visit_sheared(domain, blocks, x, cutoff, visit, context);
+}
+
 static enum ts_status find_copies(const struct tsim *sim, double cutoff, struct sending *s)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_rank_blocks *blocks = &sim->division->blocks;
 
 	for (size_t i = 0; i < p->n && s->status == TS_OK; i++) {
 		s->particle = (int32_t)i;
-		if (!ts_rank_blocks_inside(blocks, s->own, p->xhold[i], cutoff))
-			ts_rank_blocks_visit(blocks, p->xhold[i], cutoff, note_copy, s);
+		ts_copies_visit(sim->domain, &sim->division->blocks, s->own, p->xhold[i], cutoff, note_copy,
+				s);
 	}
+	if (sim->domain->box.shear.on)
+		remove_repeated(s);
 	return s->status;
 }
 
@@ -341,27 +391,6 @@ static enum ts_status add_claimed(struct tsim *sim, const struct ts_parcel *clai
 	}
 	ts_free(members.entry);
 	return s->status == TS_OK ? TS_OK : ts_nomem(&sim->error);
-}
-
-static int compare_copies(const void *a, const void *b)
-{
-	const int32_t *p = a, *q = b;
-
-	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
-/* A rank may have claimed a particle several times. */
-static void remove_repeated(struct sending *s)
-{
-	size_t kept = 0;
-
-	ts_sort(s->copy, s->n, sizeof *s->copy, compare_copies);
-	for (size_t k = 0; k < s->n; k++) {
-		if (kept && !compare_copies(s->copy[kept - 1], s->copy[k]))
-			continue;
-		memmove(s->copy[kept++], s->copy[k], sizeof *s->copy);
-	}
-	s->n = kept;
 }
 
 /* If a rank claims particles, all make their copies again, with these. */

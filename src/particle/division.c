@@ -188,8 +188,6 @@ const char *ts_division_refused(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 
-	if (sim->domain->box.shear.on)
-		return "a sheared box";
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
 		if (p->dynamic[bit].every && chosen_by_all(sim, p->dynamic[bit].variable))
 			return "a dynamic group by a variable of all particles";

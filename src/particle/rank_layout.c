@@ -11,21 +11,26 @@ struct tally {
 	int owner;     /* of the present particle */
 	int64_t *pair; /* of ranks: owner times ranks plus the rank of the copy */
 	size_t n, capacity;
+	size_t before; /* the pairs before those of the present particle */
 	enum ts_status status;
 };
 
 static void count_copy(void *context, int rank)
 {
 	struct tally *t = context;
+	const int64_t pair = (int64_t)t->owner * t->layout->ranks + rank;
 
 	if (rank == t->owner)
 		return;
+	for (size_t k = t->before; k < t->n; k++)
+		if (t->pair[k] == pair)
+			return;
 	t->layout->part[t->owner].sent++;
 	t->layout->part[rank].copies++;
 	if (TS_GROW(t->pair, t->capacity, t->n + 1) != TS_OK)
 		t->status = TS_NOMEM;
 	else
-		t->pair[t->n++] = (int64_t)t->owner * t->layout->ranks + rank;
+		t->pair[t->n++] = pair;
 }
 
 static void count_partners(struct tally *t)
@@ -45,8 +50,8 @@ static enum ts_status count(const struct tsim *sim, const struct ts_rank_blocks 
 	for (size_t i = 0; i < p->n && t.status == TS_OK; i++) {
 		t.owner = layout->owner[i] = ts_rank_blocks_owner(blocks, p->xhold[i]);
 		layout->part[t.owner].particles++;
-		if (!ts_rank_blocks_inside(blocks, t.owner, p->xhold[i], cutoff))
-			ts_rank_blocks_visit(blocks, p->xhold[i], cutoff, count_copy, &t);
+		t.before = t.n;
+		ts_copies_visit(sim->domain, blocks, t.owner, p->xhold[i], cutoff, count_copy, &t);
 	}
 	count_partners(&t);
 	ts_free(t.pair);
