@@ -270,7 +270,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const struct granular *s = self->state;
 	const struct ts_automaton_lattice *l = &s->automaton.lattice;
 	const double fastest = fmax(fastest_wall(s), start_speed(s));
-	const double bytes = ts_automaton_bytes(l->nx, l->ny);
+	double bytes = ts_automaton_bytes(l->nx, l->ny);
 
 	TS_TRY(check_speed(self, sim, "lower", s->wall[0]));
 	TS_TRY(check_speed(self, sim, "upper", s->wall[1]));
@@ -292,8 +292,10 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		       s->order == TS_AUTOMATON_BLOCKS ? "blocks" : "exact");
 	ts_report_line(report, "",
 		       "left out by its rules: positions within cells, contacts that last, forces");
-	report->bytes +=
-		bytes + (s->order == TS_AUTOMATON_EXACT ? sizeof(uint32_t) * (double)l->granules : 0);
+	if (s->order == TS_AUTOMATON_EXACT)
+		bytes += sizeof(uint32_t) * (double)l->granules;
+	report->bytes += bytes;
+	report->whole += bytes;
 	return TS_OK;
 }
 

@@ -48,6 +48,17 @@ enum ts_status ts_film_make(struct ts_film *f)
 	return f->kind && f->free && f->pinned && f->row ? TS_OK : TS_NOMEM;
 }
 
+double ts_film_bytes(const struct ts_film *f)
+{
+	/* fields, rows of the matrix and the order of its elimination */
+	const double by_cell = 28 * sizeof(double) + sizeof *f->row + 8 * sizeof(double);
+	/* of a coefficient in L and in U, and its place; their number by cell, fitted to 100 x 100 to 400 x 400 cells */
+	const double of_factors = 2 * sizeof(double) + sizeof(int);
+	double cells = (double)ts_film_cells(f);
+
+	return cells * (by_cell + of_factors * fmax(3.1 * log2(cells) - 17, 2));
+}
+
 void ts_film_release(struct ts_film *f)
 {
 	double *const fields[] = { f->gap,   f->rate,	f->pressure_given, f->content,	f->p,

@@ -176,6 +176,8 @@ double ts_film_area(const struct ts_film *f, int i, int j);
 
 /* Allocates all fields, set to 0. Returns TS_OK or TS_NOMEM; to be released also after a failure. */
 enum ts_status ts_film_make(struct ts_film *f);
+/* Memory of the fields and of the factors of the matrix, about. */
+double ts_film_bytes(const struct ts_film *f);
 void ts_film_release(struct ts_film *f);
 /* Checks all input. Errors: TS_RANGE for values (gap, viscosity ...), TS_STATE for a part of the film whose pressure
  * is not determined, because no pressure is given on its border and it may not float. */

@@ -392,6 +392,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	ts_report_line(report, "fluid", "film of %d x %d cells, viscosity %g, cavitation %s, solved %s",
 		       f->n[0], f->n[1], s->viscosity, cavitations[s->cavitation],
 		       s->update == EACH_RUN ? "once in each run" : "when its surfaces have changed");
+	report->bytes += ts_film_bytes(f);
+	report->whole += ts_film_bytes(f);
 	return tell_validity(self, sim, report);
 }
 

@@ -41,6 +41,13 @@ report 'an empty box' $? out
 printf 'units lj\nprocessors 5 1 1\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 1\n' >in.empty
 refused 'blocks that do not fit' 'processors: ' -in in.empty -explain -ranks 4
 
+# What each rank has wholly, so that more ranks do not make it faster.
+for deck in rank/scenes/in.oil decks/in.automaton; do
+	"$TSIM" -in "$top_srcdir/tests/$deck" -explain -ranks 4 -log none -var out x >out 2>&1
+	grep -q '^  every rank has the whole grid of the fluid or automaton' out
+	report "plan of $deck" $? out
+done
+
 # The contacts that all ranks get, as loads and wear are summed.
 "$TSIM" -in "$top_srcdir/tests/rank/scenes/in.mill" -explain -ranks 4 -log none -var out x >out 2>&1
 report 'plan of a scene with loads' $? out
