@@ -33,9 +33,7 @@ enum ts_status ts_coupling_force_init(struct ts_instance *self, struct tsim *sim
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "%s needs a fluid with a density: give flow_style %s one", who,
 			       s->flow->style->name);
-	s->part.sorts = s->fluid && s->two_way && !style->internal;
-	s->part.shared = s->part.sorts ? 3 * sizeof(double) : 0;
-	if (s->part.sorts)
+	if (s->fluid && s->two_way && !style->internal)
 		return ts_fluid_require_fields(s->fluid, sim, TS_FLUID_FORCE);
 	return TS_OK;
 }

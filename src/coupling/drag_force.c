@@ -84,9 +84,7 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_fluid_require_fields(s->fluid, sim,
 					       s->lagged ? TS_FLUID_FORCE
 							 : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
-	s->part.sorts = s->fluid && s->two_way;
-	s->part.shared = s->part.sorts ? (s->lagged ? 3 : 6) * sizeof(double) : 0;
-	if (s->part.sorts)
+	if (s->fluid && s->two_way)
 		s->part.order = &s->order;
 	s->added = ts_added_mass_find(sim);
 	TS_TRY(find_relaxing_drags(self, sim));

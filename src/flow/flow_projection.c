@@ -309,23 +309,17 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 
 enum { VOID_FIELDS = 6 }; /* void fraction at centres and on faces, its rate, and that of the last step */
 
-enum { ROW = 40 }; /* bytes of a particle that is sorted by cells (coupling/cell_order.h) */
-
 /* What the parts of a step send to all ranks. */
 static void report_ranks(const struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_instance *part;
-	bool sorts = false;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
-		sorts |= flow_part->sorts;
 		report->shared.messages += flow_part->shared > 0;
 		report->shared.bytes += (double)flow_part->shared;
 	}
-	report->shared.messages += sorts;
-	report->shared.bytes += sorts ? ROW : 0;
 }
 
 static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)

@@ -191,8 +191,6 @@ struct ts_flow_part {
 	/* The particles as the fix sorts them by cells, for the fixes after it (coupling/cell_order.h); NULL:
 	 * it does not. */
 	struct ts_cell_order *order;
-	/* It adds to fields of the grid by this order, its own or another's. */
-	bool sorts;
 	/* With several ranks: bytes of each particle that the fix sends to all of them in a step; 0: none. */
 	size_t shared;
 	/* The largest stable dt of the fluid as far as this fix is concerned, or INFINITY. */

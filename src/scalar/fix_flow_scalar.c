@@ -199,8 +199,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->arguments_read)
 		TS_TRY(read_face_conditions(self, sim));
 	TS_TRY(find_heat(self, sim));
-	s->part.sorts = s->heat != NULL;
-	s->part.shared = s->heat ? sizeof(double) : 0;
 	TS_TRY(make_fields(self, sim));
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
