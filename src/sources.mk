@@ -560,10 +560,10 @@ library_sources = \
 	src/flow/projection.h \
 	src/flow/projection_setup.c \
 	src/flow/projection_step.c \
-	src/flow/stagnation_profile.c \
-	src/flow/stagnation_profile.h \
 	src/flow/slab_step.c \
 	src/flow/slab_step.h \
+	src/flow/stagnation_profile.c \
+	src/flow/stagnation_profile.h \
 	src/flow/step_diagnostics.c \
 	src/flow/step_diagnostics.h \
 	src/flow/time_schemes.c \

@@ -134,6 +134,7 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 	memcpy(s->stride, problem->grid->stride, sizeof s->stride);
 	order_axes(s, problem);
 	s->eliminates = !is_periodic(problem, s->axis[2]);
+	s->strip = s->eliminates ? STRIP : TS_LINES;
 	modes = (size_t)s->n[0] * (size_t)s->n[1];
 	n = (size_t)s->n[2];
 	/* an odd number of cache lines, so that planes do not map to the same cache sets */
@@ -421,11 +422,6 @@ static void transform_strips(void *context, size_t from, size_t to)
 	}
 }
 
-size_t ts_direct_strip(const struct ts_direct *s)
-{
-	return s->eliminates ? STRIP : TS_LINES;
-}
-
 static void share_among_threads(struct task *task, size_t shares, ts_range_fn *share)
 {
 	size_t end;
@@ -446,7 +442,7 @@ void ts_direct_solve(const struct ts_direct *s, const double *rhs, double *p)
 	planes = (size_t)((s->n[2] + task.planes - 1) / task.planes);
 	share_among_threads(&task, planes, forward_planes);
 	ts_direct_exchange(s, false);
-	strips = (modes + ts_direct_strip(s) - 1) / ts_direct_strip(s);
+	strips = (modes + s->strip - 1) / s->strip;
 	share_among_threads(&task, strips, s->eliminates ? eliminate_strips : transform_strips);
 	ts_direct_exchange(s, true);
 	share_among_threads(&task, planes, backward_planes);

@@ -18,6 +18,7 @@ struct ts_direct {
 	int threads;
 	int axis[3], n[3]; /* axes in the order of treatment, and their numbers of cells */
 	struct ts_transform transform[3];
+	size_t strip; /* number of modes that are eliminated, or transformed along the third axis, at once */
 	bool eliminates;	/* the third axis is solved by elimination, not transformed */
 	size_t plane;		/* doubles from one plane of modes to the next */
 	double *work;		/* the field of modes; owned, as all arrays below */
@@ -37,8 +38,6 @@ void ts_direct_release(struct ts_direct *s);
 
 /* Estimated time of a solve in seconds, including a thousandth of the preparation. */
 double ts_direct_cost(const struct ts_poisson *problem);
-/* Number of modes whose elimination or transform along the third axis is one share of the work. */
-size_t ts_direct_strip(const struct ts_direct *s);
 /* Solves for p in the inner cells; p and rhs may be the same field. While ranks have slabs: in the planes of this rank. */
 void ts_direct_solve(const struct ts_direct *s, const double *rhs, double *p);
 

@@ -17,7 +17,7 @@ static struct range planes_of(const struct ts_direct *s, int rank)
 /* Modes of its strips. */
 static struct range modes_of(const struct ts_direct *s, int rank)
 {
-	const size_t modes = (size_t)s->n[0] * (size_t)s->n[1], width = ts_direct_strip(s);
+	const size_t modes = (size_t)s->n[0] * (size_t)s->n[1], width = s->strip;
 	const size_t strips = (modes + width - 1) / width;
 	const size_t from = width * ts_slabs_part(s->slabs, rank, strips),
 		     to = width * ts_slabs_part(s->slabs, rank + 1, strips);
