@@ -137,17 +137,19 @@ static void assign_shares_range(void *context, size_t from, size_t to)
 }
 
 /* Slots of a share follow those of the share before. */
-static size_t offset_slots_by_share(const struct slot_task *s)
+static void offset_slots_shares(void *context, size_t from, size_t to)
 {
-	struct ts_contact_list *list = s->list;
-	size_t n = 0;
+	const struct slot_task *s = context;
+	const struct ts_contact_list *list = s->list;
 
-	for (size_t k = 0; k < (size_t)list->shares; k++) {
-		for (size_t at = list->span[k].active; at < list->span[k].active_end && n; at++)
-			list->active[at].slot += (uint32_t)n;
-		n += s->used[k];
+	for (size_t k = from; k < to; k++) {
+		uint32_t before = 0;
+
+		for (size_t share = 0; share < k; share++)
+			before += s->used[share];
+		for (size_t at = list->span[k].active; at < list->span[k].active_end && before; at++)
+			list->active[at].slot += before;
 	}
-	return n;
 }
 
 static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *room)
@@ -160,7 +162,10 @@ static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *
 
 	if (s.used && s.free && s.next && s.last_summed) {
 		ts_parallel(list->shares, (size_t)list->shares, assign_shares_range, &s);
-		*room = offset_slots_by_share(&s);
+		ts_parallel(list->shares, (size_t)list->shares, offset_slots_shares, &s);
+		*room = 0;
+		for (int k = 0; k < list->shares; k++)
+			*room += s.used[k];
 		status = TS_OK;
 	}
 	ts_free(s.used);

@@ -281,17 +281,6 @@ void ts_exchange_hold(struct tsim *sim)
 	ts_domain_hold(sim->domain);
 }
 
-static void copy_row(struct ts_particles *p, size_t from, size_t to, unsigned flag)
-{
-	for (size_t k = 0; k < p->ncolumns; k++) {
-		const struct ts_column *c = &p->column[k];
-		size_t bytes = c->element * c->width;
-
-		if (c->active && (c->flags & flag))
-			memcpy((char *)c->data + to * bytes, (char *)c->data + from * bytes, bytes);
-	}
-}
-
 /* Computes positions and velocities of ghosts from their originals, never from other ghosts: those in edges
  * and corners would differ in the last bit. */
 static void place_ghosts(const struct ts_particles *p, const struct ts_domain *domain, size_t from, size_t to)
@@ -330,19 +319,18 @@ static void set_ghost_xhold(const struct ts_particles *p, const struct ts_domain
 		p->xhold[p->n + k][s->flow] += p->ghost_shift[k][s->gradient] * domain->held_offset;
 }
 
+/* Adds a ghost; of its columns only xhold is set. */
 static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shift)
 {
 	struct ts_particles *p = sim->particles;
-	size_t g = p->n + p->nghost, k = p->nghost;
+	size_t k = p->nghost;
 
 	TS_TRY(ts_particles_reserve_ghosts(sim, k + 1));
-	copy_row(p, from, g, TS_COL_BORDER);
 	p->ghost_owner[k] = from < p->n ? (int32_t)from : p->ghost_owner[from - p->n];
 	memset(p->ghost_shift[k], 0, sizeof p->ghost_shift[k]);
 	if (from >= p->n)
 		memcpy(p->ghost_shift[k], p->ghost_shift[from - p->n], sizeof p->ghost_shift[k]);
 	p->ghost_shift[k][dim] = (int8_t)shift;
-	place_ghosts(p, sim->domain, k, k + 1);
 	set_ghost_xhold(p, sim->domain, k);
 	p->nghost++;
 	return TS_OK;
@@ -379,8 +367,60 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 	return TS_OK;
 }
 
+/* Copies a column from the originals to ghosts from..to-1. A constant size in the loops of scalars and
+ * vectors lets the compiler inline memcpy. */
+static void copy_column(const struct ts_particles *p, const struct ts_column *c, size_t from, size_t to)
+{
+	size_t bytes = c->element * c->width;
+	char *data = c->data;
+
+#define COPY(bytes)                        \
+	for (size_t k = from; k < to; k++) \
+	memcpy(data + (p->n + k) * (bytes), data + (size_t)p->ghost_owner[k] * (bytes), bytes)
+	if (bytes == sizeof(int32_t))
+		COPY(sizeof(int32_t));
+	else if (bytes == sizeof(double))
+		COPY(sizeof(double));
+	else if (bytes == 3 * sizeof(double))
+		COPY(3 * sizeof(double));
+	else
+		COPY(bytes);
+#undef COPY
+}
+
+/* Copies the columns with the flag to ghosts from..to-1, of those that follow the copies (copies.h), and places them. */
+static void copy_columns(const struct tsim *sim, unsigned flag, size_t from, size_t to)
+{
+	const struct ts_particles *p = sim->particles;
+	size_t copies = ts_copies(sim);
+
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+
+		if (c->active && (c->flags & flag) && c->data != p->x && c->data != p->v &&
+		    c->data != p->xhold)
+			copy_column(p, c, copies + from, copies + to);
+	}
+	place_ghosts(p, sim->domain, copies + from, copies + to);
+}
+
+static void border_range(void *context, size_t from, size_t to)
+{
+	copy_columns(context, TS_COL_BORDER, from, to);
+}
+
+static void forward_range(void *context, size_t from, size_t to)
+{
+	copy_columns(context, TS_COL_FORWARD, from, to);
+}
+
+/* Cost of copying a ghost, in iterations of a simple loop; ts_team derives the number of threads from it. */
+enum { FORWARD_COST = 9 };
+
 enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double copies, double most)
 {
+	size_t n;
+
 	sim->particles->nghost = 0;
 	if (sim->division)
 		TS_TRY(ts_copies_make(sim, copies));
@@ -393,47 +433,10 @@ enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double copie
 		if (ts_box_periodic(&sim->domain->box, dim))
 			TS_TRY(add_ghosts_of_faces(sim, dim, cutoff, most));
 	}
+	n = sim->particles->nghost - ts_copies(sim);
+	ts_parallel(ts_team(sim, FORWARD_COST * n), n, border_range, sim);
 	return TS_OK;
 }
-
-/* Copies a column from the originals to ghosts from..to-1. A constant size in the loops of scalars and
- * vectors lets the compiler inline memcpy. */
-static void copy_column(const struct ts_particles *p, const struct ts_column *c, size_t from, size_t to)
-{
-	size_t bytes = c->element * c->width;
-	char *data = c->data;
-
-#define COPY(bytes)                        \
-	for (size_t k = from; k < to; k++) \
-	memcpy(data + (p->n + k) * (bytes), data + (size_t)p->ghost_owner[k] * (bytes), bytes)
-	if (bytes == sizeof(double))
-		COPY(sizeof(double));
-	else if (bytes == 3 * sizeof(double))
-		COPY(3 * sizeof(double));
-	else
-		COPY(bytes);
-#undef COPY
-}
-
-static void forward_range(void *context, size_t from, size_t to)
-{
-	const struct tsim *sim = context;
-	const struct ts_particles *p = sim->particles;
-	size_t copies = ts_copies(sim); /* the images follow them */
-
-	from += copies;
-	to += copies;
-	for (size_t k = 0; k < p->ncolumns; k++) {
-		const struct ts_column *c = &p->column[k];
-
-		if (c->active && (c->flags & TS_COL_FORWARD) && c->data != p->x && c->data != p->v)
-			copy_column(p, c, from, to);
-	}
-	place_ghosts(p, sim->domain, from, to);
-}
-
-/* Cost of copying a ghost, in iterations of a simple loop; ts_team derives the number of threads from it. */
-enum { FORWARD_COST = 9 };
 
 void ts_exchange_forward(struct tsim *sim)
 {
