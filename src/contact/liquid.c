@@ -175,6 +175,16 @@ static enum ts_status book_transfers(struct transfer_list *transfers, const stru
 	return TS_OK;
 }
 
+/* The bridge of a pair ends without breaking. */
+static void clear_bridge(struct tsim *sim, struct ts_contact_list *list, const struct ts_pair *pair, size_t r)
+{
+	if (!ts_contact_touches(list, r))
+		return;
+	ts_contacts_store_history(sim, list);
+	*bridge_state(list, pair, r) = 0;
+	list->active_chosen = false; /* the history in the list is to be loaded again */
+}
+
 /* Collects the transfers of all broken bridges. A bridge whose other entry has not broken yet is cleared
  * there. */
 static enum ts_status collect_broken(struct transfer_list *transfers, struct tsim *sim,
@@ -189,14 +199,13 @@ static enum ts_status collect_broken(struct transfer_list *transfers, struct tsi
 		if (!has_broken(list, pair, r))
 			continue;
 		other = mirror_pair(list, p, r);
-		both = other == list->n || !has_broken(list, pair, other);
+		/* of a pair with a particle of another rank this one books the transfer to its own */
+		both = local_of(p, (size_t)list->j[r]) < p->n &&
+		       (other == list->n || !has_broken(list, pair, other));
 		if (book_transfers(transfers, p, list, pair, r, both) != TS_OK)
 			return TS_NOMEM;
-		if (other == list->n || !both || !ts_contact_touches(list, other))
-			continue;
-		ts_contacts_store_history(sim, list);
-		*bridge_state(list, pair, other) = 0;
-		list->active_chosen = false; /* the history in the list is to be loaded again */
+		if (other != list->n && both)
+			clear_bridge(sim, list, pair, other);
 	}
 	return TS_OK;
 }

@@ -208,6 +208,9 @@ enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 	if (!sim->particles->ntypes)
 		return TS_OK;
 	TS_TRY(ts_pair_prepare(sim, self));
+	/* which contacts that do not overlap touch is not carried then */
+	if (pair->sticks && sim->legacy == TS_LEGACY_LIGGGHTS)
+		TS_TRY(ts_ranks_refuse(sim, "legacy with a law that acts beyond contact", &self->where));
 	ts_granular_memory_signs(&pair->model, pair->memory_sign);
 	memory = (size_t)ts_granular_memory(&pair->model);
 	if (!memory && sim->full & TS_FULL_HISTORY)

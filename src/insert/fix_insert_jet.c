@@ -318,6 +318,23 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	return check_way(self, sim, from);
 }
 
+/* What the rate delivers in this step. */
+static double delivered(const struct jet *s, const struct tsim *sim)
+{
+	double dt = sim->clock.dt;
+
+	return s->per_time * (isfinite(s->duration) ? fmin(dt, fmax(0, s->duration - s->age)) : dt);
+}
+
+/* Whether the step that begins inserts particles. */
+static bool inserts(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct jet *s = self->state;
+
+	return s->base.wait <= 1 && s->steps_left <= 1 &&
+	       is_due(s, s->base.inserted, s->base.mass, s->owed + delivered(s, sim));
+}
+
 /* Counts what the rate delivers in this step. Only a step that inserts particles rebuilds the contact list.
  */
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
@@ -327,7 +344,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 
 	if (s->base.wait > 0 && --s->base.wait > 0) /* `start` */
 		return TS_OK;
-	s->owed += s->per_time * (isfinite(s->duration) ? fmin(dt, fmax(0, s->duration - s->age)) : dt);
+	s->owed += delivered(s, sim);
 	s->age += dt;
 	s->span += dt;
 	if (--s->steps_left > 0)
@@ -476,6 +493,8 @@ const struct ts_style ts_fix_insert_jet = {
 		   "direction 0 0 -1 diameter 1.5e-3 speed gaussian 105 5 cone gaussian 2 massrate 3.33e-5 "
 		   "time 1e-3 overlapcheck no",
 	.args = args,
+	.ranks = TS_RANKS_STEPS,
+	.due = inserts,
 	.state_size = sizeof(struct jet),
 	.saved = saved,
 	.archive = archive,

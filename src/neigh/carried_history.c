@@ -42,6 +42,13 @@ static void forget_pairs(struct ts_contact_list *list)
 	list->results = TS_RESULTS_NONE;
 }
 
+static enum ts_status save_history(struct tsim *sim, struct ts_contact_list *list, bool results,
+				   struct ts_contact_history *h)
+{
+	return sim->legacy == TS_LEGACY_LIGGGHTS ? ts_contact_history_save_all(sim, list, results, h)
+						 : ts_contact_history_save(sim, list, results, h);
+}
+
 /* The rows of contact k. */
 static enum ts_status add_rows(const struct ts_contact_history *h, size_t k, bool results,
 			       const struct ts_leaving *leaving, struct ts_carried *out)
@@ -68,7 +75,7 @@ static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool resu
 		     (results ? sizeof *h.force : 0);
 	if (!nb->wanted || (leaving && !leaving->n))
 		return TS_OK;
-	TS_TRY(ts_contact_history_save(sim, &nb->contacts, results, &h));
+	TS_TRY(save_history(sim, &nb->contacts, results, &h));
 	for (size_t k = 0; k < h.n && status == TS_OK; k++)
 		status = add_rows(&h, k, results, leaving, out);
 	ts_contact_history_release(&h);
@@ -87,7 +94,7 @@ static enum ts_status turn(struct ts_instance *self, struct tsim *sim, const str
 	out->bytes = sizeof *h.key + nb->contacts.history_width * sizeof *h.value;
 	if (!nb->wanted || !turning->n)
 		return TS_OK;
-	TS_TRY(ts_contact_history_save(sim, &nb->contacts, false, &h));
+	TS_TRY(save_history(sim, &nb->contacts, false, &h));
 	for (size_t k = 0; k < h.n && status == TS_OK; k++) {
 		const int32_t *tag = h.key[k].tag;
 		bool turns = ts_carried_leaves(turning, tag[0]) || ts_carried_leaves(turning, tag[1]);

@@ -139,7 +139,9 @@ static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *li
 			    .shares = (size_t)ts_team(sim, 4 * list->n) };
 	enum ts_status status;
 
-	*h = (struct ts_contact_history){ .width = list->history_width, .overlapping = memories };
+	*h = (struct ts_contact_history){ .width = list->history_width,
+					  .overlapping = memories && !sim->run.resuming,
+					  .parted = memories && sim->run.resuming };
 	ts_contacts_store_history(sim, list);
 	if (!list->n || !(h->width || forces))
 		return TS_OK;
@@ -175,7 +177,9 @@ static void copy_contacts(struct ts_contact_history *to, const struct ts_contact
 enum ts_status ts_contact_history_append(struct tsim *sim, struct ts_contact_history *h,
 					 struct ts_contact_history *more)
 {
-	struct ts_contact_history both = { .width = h->width, .overlapping = h->overlapping };
+	struct ts_contact_history both = { .width = h->width,
+					   .overlapping = h->overlapping,
+					   .parted = h->parted };
 
 	if (more->n && more->width == h->width) {
 		TS_TRY(allocate_history(sim, &both, h->n + more->n, false));
@@ -321,16 +325,18 @@ static void restore_share(void *context, size_t from, size_t to)
 
 	for (size_t r = from; r < to; r++) {
 		struct ts_contact_key key;
-		bool swapped;
+		bool swapped, apart;
 		int32_t k;
 
 		if (!has_key(g, r))
 			continue;
 		key = make_key(list, r, &swapped);
 		k = find_either(g, &key, local_of(g, swapped ? list->j[r] : list->i[r]));
-		if (!k || (h->overlapping && !overlaps(p, list, r) && !had_bridge(list, h, (size_t)(k - 1))))
+		apart = (h->overlapping || h->parted) && k && !overlaps(p, list, r) &&
+			!had_bridge(list, h, (size_t)(k - 1));
+		if (!k || (apart && h->overlapping))
 			continue;
-		ts_contact_set_touching(list, r, true);
+		ts_contact_set_touching(list, r, !apart);
 		if (h->width)
 			copy_signed(list->history + r * h->width, h->value + (size_t)(k - 1) * h->width,
 				    h->width, list->history_sign, swapped);

@@ -19,6 +19,7 @@ struct ts_contact_history {
 	double *value;
 	double (*force)[3]; /* force on the smaller identity; NULL: forces are not saved */
 	bool overlapping;   /* only pairs that overlap now get their history back */
+	bool parted;	    /* all get it back, and those that overlap now touch */
 };
 
 /* Copies the history of the touching pairs, and on request their forces: a run that continues with the forces
@@ -26,7 +27,7 @@ struct ts_contact_history {
 enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h);
 /* The same as LIGGGHTS does it: copies the history of all pairs that have any, also of those that have
- * parted; it is given back only to pairs that overlap then. */
+ * parted; it is given back only to pairs that overlap then, or, where lists are made again between rebuilds, to all. */
 enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_list *list, bool forces,
 					   struct ts_contact_history *h);
 /* Copies the history, and the forces if saved, to the pairs of the same particles in the list. */

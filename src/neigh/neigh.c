@@ -256,6 +256,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	if (!nb->wanted)
 		return TS_OK;
 	TS_TRY(ts_contact_list_build(sim, &nb->contacts, nb->built_skin + reach, ts_neigh_excluded(sim)));
+	/* only lists of ranks are made again during a run of LIGGGHTS */
+	nb->saved.parted = sim->legacy == TS_LEGACY_LIGGGHTS && sim->run.resuming;
 	if (nb->saved.n && nb->saved.width == nb->contacts.history_width)
 		TS_TRY(ts_contact_history_restore(sim, &nb->saved, &nb->contacts));
 	ts_contact_history_release(&nb->saved);

@@ -307,6 +307,8 @@ const struct ts_style ts_fix_insert_gap = {
 		   "fraction 0.04 contact yes",
 	.cite = "E. J. Terrell, C. F. Higgs III, J. Tribol. 131 (2009) 012201",
 	.args = args,
+	.ranks = TS_RANKS_STEPS,
+	.due = ts_insertion_due,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = ts_insertion_archive,

@@ -12,7 +12,7 @@ decks=$top_srcdir/tests/decks
 numbers=${TS_RANKS-}
 
 cp "$scenes"/in.* .
-for deck in insertion rigid tracers heat pour clumps receding surface_heat multicontact sheared automaton wafer; do cp "$decks/in.$deck" .; done
+for deck in insertion rigid tracers heat pour clumps receding surface_heat multicontact sheared automaton wafer jet gap bridges; do cp "$decks/in.$deck" .; done
 # Height fields, one of which is pressed on a plane.
 sed 's/^dump_modify.*/&\ncompute pressed all surface\/contact rough winkler 1e6 pressure 5e3\ncompute pi all active\/pi pressed radius 0.005 fraction 0.1 deviation 0.001 hardness 1e9\ncompute pml all active\/pml pressed radius 0.005 fraction 0.1/
 	s/^thermo_style.*/& c_pressed c_pi c_pml/' "$decks/in.voxels" >in.voxels
@@ -114,7 +114,7 @@ film=film # needs HDF5 and ffmpeg
 "$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
-for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact crowd sheared; do
+for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges legacy crowd sheared; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
