@@ -57,8 +57,11 @@ static void update_solution(double alpha, const double *restrict d, const double
 
 static void update_search_direction(const struct ts_stencil *s, const double *z, double beta, double *d)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++) {
+	for (int row = first; row < end; row++) {
 		size_t at = ts_stencil_row(s, row);
 
 		update_direction(z + at, beta, d + at, s->n[0]);
@@ -69,8 +72,11 @@ static void update_search_direction(const struct ts_stencil *s, const double *z,
 static void update_iterate(const struct ts_stencil *s, double alpha, const struct ts_conjugate_gradient *c,
 			   double *p)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++) {
+	for (int row = first; row < end; row++) {
 		size_t at = ts_stencil_row(s, row);
 
 		update_solution(alpha, c->d + at, c->q + at, p + at, c->r + at, s->n[0]);
@@ -79,8 +85,11 @@ static void update_iterate(const struct ts_stencil *s, double alpha, const struc
 
 static void precondition_by_diagonal(const struct ts_stencil *s, const double *r, double *z)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++) {
+	for (int row = first; row < end; row++) {
 		size_t at = ts_stencil_row(s, row);
 
 		multiply_row_elements(r + at, s->inverse + at, z + at, s->n[0]);

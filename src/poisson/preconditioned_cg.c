@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "poisson/direct_exchange.h"
+
 #include "base/banned.h"
 
 const char *const ts_preconditioner_names[] = { "auto", "diagonal", "direct", "multigrid", NULL };
@@ -87,9 +89,36 @@ enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *
 		status = TS_NOMEM;
 	if (status != TS_OK)
 		return ts_nomem(&sim->error);
+	if (ts_direct_divide(&c->direct, problem->slabs) != TS_OK)
+		return ts_nomem(&sim->error);
 	c->direct.origin = s->origin;
 	memcpy(c->direct.stride, s->stride, sizeof s->stride);
 	return TS_OK;
+}
+
+/* The preconditioner of the next solve. */
+static int choose_preconditioner(const struct ts_preconditioned *c)
+{
+	const struct ts_iteration *it = &c->iteration;
+
+	if (c->wanted != TS_PRECONDITION_AUTO)
+		return c->wanted;
+	return c->multigrid.levels && weight_ratio(&it->stencil, it->problem) > CONTRAST
+		       ? TS_PRECONDITION_MULTIGRID
+		       : TS_PRECONDITION_DIRECT;
+}
+
+bool ts_preconditioned_divided(const struct ts_instance *self)
+{
+	const struct ts_preconditioned *c = self->state;
+	const struct ts_slabs *slabs = c->iteration.problem->slabs;
+	int kind;
+
+	if (ts_slabs_ranks(slabs) == 1)
+		return false;
+	kind = choose_preconditioner(c);
+	return kind == TS_PRECONDITION_DIAGONAL ||
+	       (kind == TS_PRECONDITION_DIRECT && ts_direct_divided(&c->direct));
 }
 
 /* z = L^-1 (r/V), L the operator without weights: V L is symmetric. */
@@ -108,14 +137,11 @@ enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *si
 	struct ts_iteration *it = &c->iteration;
 	ts_precondition_fn *precondition = NULL;
 	void *context = c;
-	int kind = c->wanted;
+	int kind = choose_preconditioner(c);
 	double goal;
 
+	it->stencil.slabs = ts_preconditioned_divided(self) ? it->problem->slabs : NULL;
 	TS_TRY(ts_iteration_begin(it, self, sim, rhs, p, &goal));
-	if (kind == TS_PRECONDITION_AUTO)
-		kind = c->multigrid.levels && weight_ratio(&it->stencil, it->problem) > CONTRAST
-			       ? TS_PRECONDITION_MULTIGRID
-			       : TS_PRECONDITION_DIRECT;
 	if (kind == TS_PRECONDITION_DIRECT)
 		precondition = precondition_by_direct;
 	if (kind == TS_PRECONDITION_MULTIGRID) {

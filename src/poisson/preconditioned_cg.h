@@ -32,6 +32,8 @@ double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts
 /* Slots of pressure styles whose state is struct ts_preconditioned. */
 enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *sim,
 					 const struct ts_poisson *problem);
+/* While ranks have slabs: whether they divide the next solve. */
+bool ts_preconditioned_divided(const struct ts_instance *self);
 enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *sim, const double *rhs,
 				       double *p, struct ts_poisson_report *report);
 void ts_preconditioned_fini(struct ts_instance *self);

@@ -45,6 +45,7 @@ const struct ts_pressure_style ts_pressure_cg = {
 		   .fini = ts_preconditioned_fini },
 	.prepare = ts_preconditioned_prepare,
 	.solve = ts_preconditioned_solve,
+	.divided = ts_preconditioned_divided,
 	.cost = cost,
 	.fields = 13,
 };

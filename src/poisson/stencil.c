@@ -155,8 +155,11 @@ static double row_area(const struct ts_stencil *s, int row)
 void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 			  bool volumes, double *out)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++) {
+	for (int row = first; row < end; row++) {
 		const double *from = field + ts_at(grid, 0, row % s->n[1], row / s->n[1]);
 		double *to = out + ts_stencil_row(s, row), area = row_area(s, row);
 
@@ -168,8 +171,11 @@ void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid
 void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 			double *out)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		memcpy(out + ts_at(grid, 0, row % s->n[1], row / s->n[1]), field + ts_stencil_row(s, row),
 		       (size_t)s->n[0] * sizeof *out);
 }
@@ -185,8 +191,11 @@ static void divide_by_volume(const double *restrict r, const double *restrict wi
 
 void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *out)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++) {
+	for (int row = first; row < end; row++) {
 		size_t at = ts_stencil_row(s, row);
 
 		divide_by_volume(r + at, s->width[0], row_area(s, row), out + at, s->n[0]);
@@ -202,7 +211,9 @@ static void copy_row(const struct ts_stencil *s, double *p, size_t to, size_t fr
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
 {
 	int rows = ts_stencil_rows(s), team = 1 + rows / GHOST_ROWS;
+	const struct ts_slabs_field planes = { p + ts_stencil_at(s, 0, 0, 0), (size_t)s->stride[2], 0, 0 };
 
+	ts_slabs_share_beside(s->slabs, &planes, 1, 1, s->periodic[2]);
 	if (!s->periodic[0] && !s->periodic[1] && !s->periodic[2])
 		return;
 #pragma omp parallel num_threads(team < s->threads ? team : s->threads)
@@ -358,10 +369,19 @@ void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, in
 	ts_stencil_ghosts(s, p);
 }
 
+/* The partial results of all ranks. */
+static void share_rows(const struct ts_stencil *s)
+{
+	const struct ts_slabs_field rows = { .first = s->rows, .stride = (size_t)s->n[1] };
+
+	ts_slabs_share(s->slabs, &rows);
+}
+
 double ts_stencil_sum_rows(const struct ts_stencil *s)
 {
 	double sum = 0;
 
+	share_rows(s);
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		sum += s->rows[row];
 	return sum;
@@ -371,6 +391,7 @@ double ts_stencil_max_rows(const struct ts_stencil *s)
 {
 	double most = 0;
 
+	share_rows(s);
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		most = s->rows[row] <= most ? most : s->rows[row];
 	return most;
@@ -378,16 +399,22 @@ double ts_stencil_max_rows(const struct ts_stencil *s)
 
 double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		s->rows[row] = apply_row(s, ts_stencil_row(s, row), p, out);
 	return ts_stencil_sum_rows(s);
 }
 
 double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		s->rows[row] = residual_row(s, ts_stencil_row(s, row), p, b, out) / row_area(s, row);
 	return ts_stencil_max_rows(s);
 }
@@ -400,8 +427,11 @@ static double largest_of_row(const double *r, const double *width, int n)
 
 double ts_stencil_largest(const struct ts_stencil *s, const double *r)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		s->rows[row] =
 			largest_of_row(r + ts_stencil_row(s, row), s->width[0], s->n[0]) / row_area(s, row);
 	return ts_stencil_max_rows(s);
@@ -415,8 +445,11 @@ static double dot_of_row(const double *a, const double *b, int n)
 
 double ts_stencil_dot(const struct ts_stencil *s, const double *a, const double *b)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		s->rows[row] = dot_of_row(a + ts_stencil_row(s, row), b + ts_stencil_row(s, row), s->n[0]);
 	return ts_stencil_sum_rows(s);
 }
@@ -434,14 +467,16 @@ static double total_volume(const struct ts_stencil *s)
 void ts_stencil_centre(const struct ts_stencil *s, double *p)
 {
 	double mean;
+	int first, end;
 
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		s->rows[row] =
 			row_area(s, row) * dot_of_row(p + ts_stencil_row(s, row), s->width[0], s->n[0]);
 	mean = ts_stencil_sum_rows(s) / total_volume(s);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		for (int i = 0; i < s->n[0]; i++)
 			p[ts_stencil_row(s, row) + (size_t)i] -= mean;
 }
@@ -449,16 +484,18 @@ void ts_stencil_centre(const struct ts_stencil *s, double *p)
 void ts_stencil_balance(const struct ts_stencil *s, double *b)
 {
 	double excess;
+	int first, end;
 
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++) {
+	for (int row = first; row < end; row++) {
 		s->rows[row] = 0;
 		for (int i = 0; i < s->n[0]; i++)
 			s->rows[row] += b[ts_stencil_row(s, row) + (size_t)i];
 	}
 	excess = ts_stencil_sum_rows(s) / total_volume(s);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		for (int i = 0; i < s->n[0]; i++)
 			b[ts_stencil_row(s, row) + (size_t)i] -= excess * (row_area(s, row) * s->width[0][i]);
 }

@@ -24,6 +24,7 @@ struct ts_stencil {
 			      * number of cells */
 	/* 0, 1 or 2 by index along each axis; the colour of a cell is their sum modulo `colours` */
 	double *colour[3];
+	struct ts_slabs *slabs;	 /* of ranks, in a solve that they divide; NULL: all rows */
 	double *rows;		 /* partial sums, one for each row of cells */
 	double *memory, *fields; /* of the arrays and of the fields above; owned */
 };
@@ -44,6 +45,16 @@ static inline size_t ts_stencil_row(const struct ts_stencil *s, int row)
 	return ts_stencil_at(s, 0, row % s->n[1], row / s->n[1]);
 }
 
+/* The rows of this rank: from `first` to end - 1. */
+static inline void ts_stencil_own(const struct ts_stencil *s, int *first, int *end)
+{
+	long from, to;
+
+	ts_slabs_rows(s->slabs, s->n[2], s->n[1], 0, &from, &to);
+	*first = (int)from;
+	*end = (int)to;
+}
+
 /* Sets the geometry, without links; to be released by ts_stencil_release also after a failure. */
 enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *problem);
 enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3]);
@@ -54,6 +65,7 @@ void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *probl
 /* Computes `inverse` from the links. */
 void ts_stencil_invert_diagonal(struct ts_stencil *s);
 
+/* The functions below, but ts_stencil_sweep, share the rows among ranks by `slabs`; sums and maxima are those of all. */
 double *ts_stencil_field(const struct ts_stencil *s);
 /* Copies between fields of the grid and fields of the stencil. `volumes`: multiplied by minus the volume,
  * as for right-hand sides. */
