@@ -23,11 +23,12 @@ static int64_t steps_to_go(const struct tsim *sim)
 /* Whether all ranks do the first step with all particles. */
 static bool first_step_is_whole(struct tsim *sim)
 {
+	const int64_t now = sim->clock.step;
 	bool is;
 
-	sim->clock.step++;
+	sim->clock.step = now + 1;
 	is = ts_ranks_step_due(sim);
-	sim->clock.step--;
+	sim->clock.step = now;
 	return is;
 }
 

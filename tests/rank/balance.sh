@@ -56,6 +56,18 @@ told() {
 	report "$1" $? out
 }
 
+# What -explain tells of the particles of ranks is what a run has.
+grid='processors 4 1 1'
+for line in '' 'balance 0.9 x uniform' 'balance 1.1 rcb' 'balance 0.9 x 0.1 0.15 0.2' 'fix b all balance 10 0.9 rcb'; do
+	scene "$line" 'fix 1 all nve/noforce' 'run 1' >in.planned
+	ranks 4 -in in.planned
+	has=$(sed -n 's/^Ranks: .*, [0-9]* to \([0-9]*\) particles each.*/\1/p' out)
+	"$TSIM" -in in.planned -explain -ranks 4 -log none >out 2>&1
+	[ -n "$has" ] && [ "$has" = "$(awk '/blocks/ && /now:$/ { t = 1 } t && $1 == "particles" { print $4 }' out)" ]
+	report "planned: ${line:-without balance}" $? out
+done
+grid='processors 2 1 1'
+
 # Without the command both ranks have 1000; with equal blocks one has all.
 scene 'balance 1.0 x uniform' 'balance 0.9 x uniform' 'balance 1.1 shift x 20 1.0' 'balance 1.1 x uniform' 'balance 0.9 x 0.175' >in.two
 ranks 2 -in in.two
