@@ -122,9 +122,9 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 	ts_price_bytes(report->bytes, &text);
 	ts_str_add(&text, " in set-up and at outputs\n");
 	if (report->whole > 0)
-		ts_str_add(&text, "  every rank has the whole grid of the fluid or automaton; messages by which "
-				  "ranks divide a fluid's steps are not counted
-");
+		ts_str_add(&text,
+			   "  every rank has the whole grid of the fluid or automaton; messages by which "
+			   "ranks divide a fluid's steps are not counted\n");
 	else if (isfinite(seconds)) {
 		ts_str_add(&text, "  time per step about ");
 		ts_price_time(step, &text);
