@@ -41,6 +41,8 @@ for solver in cg direct hypre multigrid sor; do
 	sed "s;^flow_boundary;pressure_style $solver\n&;" in.duct >in.$solver
 done
 
+sed 's/^pressure_style.*/pressure_style cg preconditioner diagonal/; s/boundary f p p/boundary p p p/; /^flow_boundary/d' in.slabs >in.slabs_cg
+
 # bonds NAME STYLE COEFFICIENTS: in.NAME, the fabric of in.beams with other bonds
 bonds() {
 	sed "s|^bond_style.*|bond_style $2|; s|^bond_coeff.*|bond_coeff 1 $3|" in.beams >"in.$1"
@@ -114,7 +116,7 @@ film=film # needs HDF5 and ffmpeg
 "$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
-for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges legacy crowd sheared; do
+for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor slabs slabs_cg insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges legacy crowd sheared; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $numbers 2x2; do # 2x2: two threads each
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
