@@ -12,7 +12,12 @@ decks=$top_srcdir/tests/decks
 numbers=${TS_RANKS-}
 
 cp "$scenes"/in.* .
-for deck in insertion rigid tracers heat pour clumps receding surface_heat multicontact sheared automaton wafer jet gap bridges; do cp "$decks/in.$deck" .; done
+for deck in insertion rigid tracers heat pour clumps receding surface_heat multicontact sheared automaton wafer; do cp "$decks/in.$deck" .; done
+cp "$decks/in.jet" in.nozzle
+sed 's/^run.*/run 250/' "$decks/in.gap" >in.gap
+# Liquid, and contacts as in LIGGGHTS.
+sed 's/^boundary.*/boundary f f f/; s/^run.*/run 120/' "$decks/in.bridges" >in.bridges
+sed '1s/^/legacy yes\n/; s/^run.*/run 200/' in.drum >in.legacy
 # Height fields, one of which is pressed on a plane.
 sed 's/^dump_modify.*/&\ncompute pressed all surface\/contact rough winkler 1e6 pressure 5e3\ncompute pi all active\/pi pressed radius 0.005 fraction 0.1 deviation 0.001 hardness 1e9\ncompute pml all active\/pml pressed radius 0.005 fraction 0.1/
 	s/^thermo_style.*/& c_pressed c_pi c_pml/' "$decks/in.voxels" >in.voxels
