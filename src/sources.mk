@@ -333,6 +333,7 @@ library_sources = \
 	src/core/plan.c \
 	src/core/plan.h \
 	src/core/plan_set_up.c \
+	src/core/plan_steps.c \
 	src/core/ranks.c \
 	src/core/ranks.h \
 	src/core/recorder.h \

@@ -1,15 +1,10 @@
 #include "core/plan.h"
 
-#include <inttypes.h>
 #include <math.h>
 
 #include "base/clock.h"
-#include "core/fingerprint.h"
 #include "core/ranks.h"
 #include "core/ref_list.h"
-#include "core/saver.h"
-#include "core/settings.h"
-#include "core/unclaimed_state.h"
 #include "core/uses.h"
 
 #include "base/banned.h"
@@ -229,8 +224,8 @@ static enum ts_status run_stage(struct ts_plan *plan, struct tsim *sim, enum ts_
 	return status;
 }
 
-static enum ts_status run_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
-				 enum ts_stage last)
+enum ts_status ts_plan_stages_deferring(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+					enum ts_stage last)
 {
 	for (int stage = (int)first; stage <= (int)last; stage++)
 		TS_TRY(run_stage(plan, sim, (enum ts_stage)stage));
@@ -244,146 +239,8 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 
 enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first, enum ts_stage last)
 {
-	enum ts_status status = run_stages(plan, sim, first, last);
+	enum ts_status status = ts_plan_stages_deferring(plan, sim, first, last);
 
 	ts_deferred_loops_run(sim);
 	return status;
-}
-
-/* With several ranks: each gets all particles and their lists, not only a look at the particles. */
-static enum ts_status have_all(struct ts_plan *plan, struct tsim *sim)
-{
-	if (sim->run.looks)
-		TS_TRY(sim->tables->divide(plan, sim));
-	return sim->division ? sim->tables->gather(plan, sim, true) : TS_OK;
-}
-
-/* Particles are divided among ranks in all steps that need not be done with all particles. */
-static enum ts_status divide_or_gather(struct ts_plan *plan, struct tsim *sim)
-{
-	if (ts_ranks_step_due(sim))
-		return have_all(plan, sim);
-	return sim->division ? TS_OK : sim->tables->divide(plan, sim);
-}
-
-/* Velocity Verlet; the order of stages is that of LIGGGHTS. */
-enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
-{
-	sim->clock.step++;
-	if (sim->world)
-		TS_TRY(divide_or_gather(plan, sim));
-	TS_TRY(run_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
-	if (sim->world)
-		ts_ranks_agree(sim);
-	sim->run.rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
-	sim->run.relist &= !sim->run.rebuild;
-	sim->run.rebuild |= sim->run.relist;
-	plan->rebuilds += sim->run.rebuild;
-	if (sim->run.rebuild)
-		TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
-	else
-		TS_TRY(run_stage(plan, sim, TS_STAGE_FORWARD));
-	sim->run.rebuild = sim->run.relist = sim->run.runaways = false;
-	TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
-	if (sim->division)
-		TS_TRY(ts_ranks_settle(plan, sim));
-	if (sim->division && ts_ranks_whole_due(plan, sim))
-		TS_TRY(sim->tables->gather(plan, sim, ts_ranks_lists_due(plan, sim)));
-	return run_stages(plan, sim, TS_STAGE_END_OF_STEP, TS_STAGE_OUTPUT);
-}
-
-/* Resets the flags that are valid only inside a run. */
-static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
-{
-	ts_deferred_loops_run(sim);
-	sim->run.inside = sim->run.in_setup = sim->run.resuming = sim->run.rebuild = sim->run.relist =
-		sim->run.runaways = sim->requests.saving = false;
-	return status;
-}
-
-enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
-{
-	enum ts_status status = TS_OK;
-
-	ts_settings_log_run(sim);
-	sim->run.inside = true;
-	sim->run.force_ticks = 0;
-	plan->watch.last = ts_ticks();
-	sim->clock.wall_start = ts_clock();
-	if (setup || sim->reading.explain)
-		status = ts_plan_set_up(plan, sim);
-	if (sim->reading.explain)
-		sim->clock.step = sim->clock.last_step;
-	else if (status == TS_OK) /* after SETUP, in which fixes evaluate the initial state */
-		status = ts_plan_stage(plan, sim, TS_STAGE_OUTPUT);
-	return leave_run(sim, status);
-}
-
-/* timer timeout: the run ends with this step, later ones do nothing. */
-static void check_timeout(struct tsim *sim)
-{
-	int64_t done = sim->clock.step - sim->clock.first_step;
-
-	if (!(sim->run.timeout > 0) || done % sim->run.timeout_every != 0 || ts_clock() < sim->run.timeout)
-		return;
-	ts_log(&sim->log, "Wall time limit reached at step %" PRId64 "\n", sim->clock.step);
-	sim->clock.last_step = sim->clock.step;
-	sim->run.halted = true;
-}
-
-enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
-{
-	enum ts_status status = TS_OK;
-
-	sim->run.inside = true;
-	plan->watch.last = ts_ticks();
-	while (status == TS_OK && sim->clock.step < sim->clock.last_step) {
-		if (sim->requests.stop && sim->run.complete)
-			break;
-		if (sim->requests.stop) /* one more step, which is known to be the last: outputs write it */
-			sim->clock.last_step = sim->clock.step + 1;
-		sim->requests.saving = sim->requests.save && sim->requests.saver;
-		status = ts_plan_step(plan, sim);
-		if (status == TS_OK && sim->requests.saving)
-			status = ts_saver_save(sim);
-		if (status == TS_OK && sim->recorder)
-			sim->recorder->step(sim->recorder, sim);
-		check_timeout(sim);
-	}
-	if (status == TS_OK)
-		status = have_all(plan, sim);
-	status = leave_run(sim, status);
-	if (sim->recorder)
-		sim->recorder->stop(sim->recorder, sim, plan);
-	return status;
-}
-
-enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim)
-{
-	sim->run.inside = true;
-	plan->watch.last = ts_ticks();
-	return leave_run(sim, ts_plan_stage(plan, sim, TS_STAGE_FINISH));
-}
-
-enum ts_status ts_plan_stopped(struct tsim *sim)
-{
-	sim->requests.stopped_whole = sim->requests.stop != 0;
-	if (sim->requests.stop)
-		return ts_fail(&sim->error, TS_STOPPED, NULL,
-			       "stopped on request after step %" PRId64
-			       "; all results up to here are written",
-			       sim->clock.step);
-	return TS_OK;
-}
-
-enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
-{
-	ts_unclaimed_report(sim);
-	TS_TRY(ts_plan_start(plan, sim, setup));
-	if (!sim->reading.explain) {
-		TS_TRY(ts_plan_steps(plan, sim));
-		TS_TRY(ts_plan_finish(plan, sim));
-		TS_TRY(ts_sim_fingerprint(sim, &sim->run.fingerprint));
-	}
-	return ts_plan_stopped(sim);
 }

@@ -30,6 +30,9 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
 			      enum ts_stage last);
 enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage);
+/* The same as ts_plan_stages, but loops may still be deferred when it returns. */
+enum ts_status ts_plan_stages_deferring(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+					enum ts_stage last);
 void ts_plan_release(struct ts_plan *plan);
 /* Wall time spent in the stage in this run, s. */
 double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage);

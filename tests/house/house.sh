@@ -45,8 +45,8 @@ done
 
 # A step is defined once: what -explain prices is what runs.
 steps=$(grep -lE 'clock\.step\+\+' $(find src -name '*.c'))
-if [ "$steps" != src/core/plan.c ]; then
-	echo "a step of the simulation is defined in: $steps; only src/core/plan.c should"
+if [ "$steps" != src/core/plan_steps.c ]; then
+	echo "a step of the simulation is defined in: $steps; only src/core/plan_steps.c should"
 	status=1
 fi
 

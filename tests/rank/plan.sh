@@ -25,8 +25,8 @@ for n in 1000 64; do
 	awk -v all="$all" -v n=$n -v mean="$(number 'particles ' 2)" 'BEGIN { d = mean * n - all; exit !(all > 0 && d * d <= (0.05 * n)^2) }'
 	report "$n ranks have all particles" $? out
 done
-refused 'a style that does not work with ranks' 'fix wafer does not work with several ranks yet (there are 3)' -explain -ranks 3 \
-	-in <(sed 's/^run.*/fix a all wafer\nrun 1/' in.plan)
+refused 'what does not work with ranks' 'timer timeout does not work with several ranks yet (there are 3)' -explain -ranks 3 \
+	-in <(sed 's/^run.*/timer timeout 1\nrun 1/' in.plan)
 "$TSIM" -in in.plan -log none -ranks 4 >out 2>&1
 [ $? = 2 ] && grep -q 'ranks are started by mpirun -np N' out
 report '-ranks without -explain' $? out
@@ -90,7 +90,7 @@ done
 # MPI's library is loaded when there are ranks: another one of that name does no harm to a process alone.
 file=$(grep -ao 'libmpi[a-z_]*[.]so[.0-9]*' "$TSIM" | head -n 1)
 if [ -n "$file" ]; then
-	echo 'int tsim_nothing;' | $CC -shared -fPIC -x c - -Wl,-soname,"$file" -o "$file" >out 2>&1
+	echo 'int tsim_nothing;' | ${CC:-cc} -shared -fPIC -x c - -Wl,-soname,"$file" -o "$file" >out 2>&1
 	report 'a library without functions' $? out
 	printf 'print "alone"\n' >in.alone
 	LD_LIBRARY_PATH=$work "$TSIM" -in in.alone -log none >out 2>&1 && grep -q '^alone' out

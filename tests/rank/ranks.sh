@@ -118,7 +118,7 @@ refused() {
 	report "$what: alone it runs" $? out
 }
 integrate='fix 1 all nve'
-refused 'a fix' 5:11 'fix couple/cfd does not work with several ranks' 'fix f all couple/cfd couple_every 10 mpi' "$integrate"
+refused 'a command' 5:7 'timer timeout does not work with several ranks' 'timer timeout 100' "$integrate"
 refused 'a variable of all particles' 6:19 "'v_g' is a value that depends on all particles" 'variable g equal 1+ke' \
 	'fix g all gravity v_g vector 0 0 -1' "$integrate"
 refused 'a variable that draws' 7:20 "'v_f' is a value that depends on all particles" 'variable g equal random(0,1,5)' \
