@@ -19,6 +19,29 @@ COMPARE(ts_compare_int64, int64_t)
 COMPARE(ts_compare_double, double)
 #undef COMPARE
 
+int ts_compare_int32_pair(const void *a, const void *b)
+{
+	const int32_t *p = a, *q = b;
+	int first = ts_compare_int32(p, q);
+
+	return first ? first : ts_compare_int32(p + 1, q + 1);
+}
+
+size_t ts_find_int32(const void *sorted, size_t n, size_t size, int32_t number)
+{
+	size_t lo = 0, hi = n;
+
+	while (lo < hi) {
+		size_t middle = lo + (hi - lo) / 2;
+
+		if (ts_compare_int32((const char *)sorted + middle * size, &number) < 0)
+			lo = middle + 1;
+		else
+			hi = middle;
+	}
+	return lo;
+}
+
 enum { SHORT = 32, WIDE = 8 };
 
 /* Rank sort: the position of a key is the number of smaller keys. It needs more comparisons than other

@@ -10,6 +10,12 @@
 int ts_compare_int32(const void *a, const void *b);
 int ts_compare_int64(const void *a, const void *b);
 int ts_compare_double(const void *a, const void *b);
+/* The same for elements that begin with two numbers: by the first one, then by the second one. */
+int ts_compare_int32_pair(const void *a, const void *b);
+
+/* Index of the first of n elements of `size` bytes that begins with a number not less than this one; n: there is none. The
+ * elements are sorted by ts_compare_int32. */
+size_t ts_find_int32(const void *sorted, size_t n, size_t size, int32_t number);
 
 /* Sorts n distinct keys in ascending order; `spare`: scratch memory for n keys. */
 void ts_sort_keys(uint64_t *key, uint64_t *spare, size_t n);

@@ -158,7 +158,7 @@ static enum ts_status remove_repeated(struct ts_bonds *b)
 		return TS_NOMEM;
 	ts_bonds_sort(b);
 	for (size_t k = 1; k < b->n; k++)
-		twice[k] = ts_bonds_compare_tags(b->tag[k], b->tag[k - 1]) == 0;
+		twice[k] = ts_compare_int32_pair(b->tag[k], b->tag[k - 1]) == 0;
 	ts_bonds_delete(b, twice);
 	ts_free(twice);
 	return TS_OK;
@@ -217,7 +217,7 @@ static int compare_rows(const void *a, const void *b)
 
 	if (p->event.step != q->event.step)
 		return p->event.step < q->event.step ? -1 : 1;
-	return hot ? -hot : ts_bonds_compare_tags(p->event.tag, q->event.tag);
+	return hot ? -hot : ts_compare_int32_pair(p->event.tag, q->event.tag);
 }
 
 /* Orders events by steps, in a step those of bonds that break before the contact list is built first. */
@@ -227,7 +227,7 @@ static int compare_with(const struct ts_bond_event *e, int64_t step, const int32
 		return e->step < step ? -1 : 1;
 	if (e->mode == TS_BOND_HEATED || e->mode == TS_BOND_CUT)
 		return -1;
-	return ts_bonds_compare_tags(e->tag, tag);
+	return ts_compare_int32_pair(e->tag, tag);
 }
 
 static bool broke_now(const struct tsim *sim, int32_t tag_a, int32_t tag_b)

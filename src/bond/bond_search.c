@@ -26,14 +26,6 @@ struct query {
 	enum ts_status status;
 };
 
-static int compare_candidates(const void *a, const void *b)
-{
-	const int32_t *s = ((const struct ts_bond_candidate *)a)->tag,
-		      *t = ((const struct ts_bond_candidate *)b)->tag;
-
-	return s[0] != t[0] ? (s[0] > t[0]) - (s[0] < t[0]) : (s[1] > t[1]) - (s[1] < t[1]);
-}
-
 static enum ts_status consider_pair(struct query *q, size_t j)
 {
 	const struct ts_particles *p = q->sim->particles;
@@ -116,9 +108,9 @@ static void sort_candidates(struct ts_bond_candidates *c)
 {
 	size_t kept = 0;
 
-	ts_sort(c->pair, c->n, sizeof *c->pair, compare_candidates);
+	ts_sort(c->pair, c->n, sizeof *c->pair, ts_compare_int32_pair);
 	for (size_t k = 0; k < c->n; k++)
-		if (!k || compare_candidates(&c->pair[k], &c->pair[k - 1]))
+		if (!k || ts_compare_int32_pair(c->pair[k].tag, c->pair[k - 1].tag))
 			c->pair[kept++] = c->pair[k];
 	c->n = kept;
 }

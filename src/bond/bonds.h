@@ -157,7 +157,6 @@ static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_insta
  * list by ts_bonds_sort after a series. */
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
 void ts_bonds_sort(struct ts_bonds *bonds);
-int ts_bonds_compare_tags(const int32_t a[2], const int32_t b[2]);		   /* the order of the list */
 bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b);	   /* sorted list */
 bool ts_bonds_has_old(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* which is not fresh */
 /* Makes the arrays of bonds that transmit moments, or frees them. */

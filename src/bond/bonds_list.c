@@ -143,13 +143,6 @@ size_t ts_bond_columns(const struct ts_bonds *b, struct ts_bond_column column[TS
 	return n;
 }
 
-int ts_bonds_compare_tags(const int32_t a[2], const int32_t b[2])
-{
-	if (a[0] != b[0])
-		return a[0] < b[0] ? -1 : 1;
-	return (a[1] > b[1]) - (a[1] < b[1]);
-}
-
 /* The bond that comes next. */
 struct place {
 	int32_t tag[2];
@@ -159,7 +152,7 @@ struct place {
 static int compare_places(const void *a, const void *b)
 {
 	const struct place *p = a, *q = b;
-	int c = ts_bonds_compare_tags(p->tag, q->tag);
+	int c = ts_compare_int32_pair(p->tag, q->tag);
 
 	return c ? c : (p->from > q->from) - (p->from < q->from);
 }
@@ -190,7 +183,7 @@ static enum ts_status reorder(struct ts_bonds *b, const struct place *order)
 static bool is_sorted(const struct ts_bonds *b)
 {
 	for (size_t k = 1; k < b->n; k++)
-		if (ts_bonds_compare_tags(b->tag[k - 1], b->tag[k]) > 0)
+		if (ts_compare_int32_pair(b->tag[k - 1], b->tag[k]) > 0)
 			return false;
 	return true;
 }
@@ -219,7 +212,7 @@ static size_t find_bond(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)
 
 	while (lo < hi) {
 		size_t mid = (lo + hi) / 2;
-		int c = ts_bonds_compare_tags(b->tag[mid], wanted);
+		int c = ts_compare_int32_pair(b->tag[mid], wanted);
 
 		if (c == 0)
 			return mid;

@@ -607,6 +607,7 @@ void ts_ledger_fini(struct ts_instance *self)
 	ts_free(l->bond);
 	ts_free(l->journal.entry);
 	ts_free(l->journal.sum);
+	ts_free(l->journal.value);
 	ts_free(l->counted);
 	ts_free(l->seen);
 	ts_free(l->gone);

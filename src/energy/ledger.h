@@ -104,7 +104,8 @@ struct ts_ledger_entry {
 struct ts_ledger_journal {
 	struct ts_ledger_entry *entry;
 	struct ts_exactsum *sum; /* of all entries */
-	size_t n, capacity, sums, sum_capacity;
+	double *value;		 /* of the entry that is posted */
+	size_t n, capacity, sums, sum_capacity, value_capacity;
 };
 
 /* Kinetic energy of a body that this rank counts, and its members. */

@@ -12,16 +12,13 @@
 static enum ts_status post_now(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
 			       const struct ts_exactsum *sum)
 {
-	double *value = ts_alloc(entry->n, sizeof *value);
-	enum ts_status status;
+	struct ts_ledger_journal *j = &l->journal;
 
-	if (!value)
+	if (TS_GROW(j->value, j->value_capacity, entry->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < entry->n; k++)
-		value[k] = ts_exactsum_value(&sum[k]);
-	status = entry->post(sim, l, entry, value);
-	ts_free(value);
-	return status;
+		j->value[k] = ts_exactsum_value(&sum[k]);
+	return entry->post(sim, l, entry, j->value);
 }
 
 enum ts_status ts_ledger_enter(struct tsim *sim, struct ts_ledger *l, const struct ts_ledger_entry *entry,
@@ -60,7 +57,7 @@ struct posting {
 	struct ts_ledger *l;
 	int64_t (*integer)[TS_EXACTSUM_INTEGERS]; /* of all sums */
 	int64_t *sent; /* of those of entries that are made, from `first` to `last` */
-	double *agreed, *value;
+	double *agreed;
 	size_t first, last, nsent;
 };
 
@@ -138,10 +135,10 @@ static enum ts_status post_entries(struct posting *t)
 		for (size_t e = 0; e < entry.n && is_made(&entry); e++) {
 			struct ts_exactsum sum = ts_exactsum_unpack(t->integer[s + e]);
 
-			t->value[e] = ts_exactsum_value(&sum);
+			j->value[e] = ts_exactsum_value(&sum);
 		}
 		if (is_made(&entry))
-			TS_TRY(entry.post(t->sim, t->l, &entry, t->value));
+			TS_TRY(entry.post(t->sim, t->l, &entry, j->value));
 		s += entry.n;
 	}
 	return TS_OK;
@@ -158,8 +155,7 @@ enum ts_status ts_ledger_post(struct tsim *sim, struct ts_ledger *l)
 	t.integer = ts_alloc(j->sums, sizeof *t.integer);
 	t.sent = ts_alloc(j->sums * TS_EXACTSUM_INTEGERS, sizeof *t.sent);
 	t.agreed = ts_alloc(MAYBE + j->n, sizeof *t.agreed);
-	t.value = ts_alloc(j->sums, sizeof *t.value);
-	if (t.integer && t.sent && t.agreed && t.value) {
+	if (t.integer && t.sent && t.agreed && TS_GROW(j->value, j->value_capacity, j->sums) == TS_OK) {
 		agree(&t);
 		copy_integers(&t, false);
 		ts_world_sums(sim->world, t.sent, t.nsent);
@@ -169,7 +165,6 @@ enum ts_status ts_ledger_post(struct tsim *sim, struct ts_ledger *l)
 	ts_free(t.integer);
 	ts_free(t.sent);
 	ts_free(t.agreed);
-	ts_free(t.value);
 	j->n = j->sums = l->missing.n = 0;
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }

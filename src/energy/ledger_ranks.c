@@ -133,27 +133,12 @@ enum ts_status ts_ledger_find_deleted(struct tsim *sim, struct ts_ledger *l, boo
 
 bool ts_ledger_is_deleted(const struct ts_ledger *l, int32_t tag)
 {
-	size_t lo = 0, hi = l->ngone;
+	size_t k = ts_find_int32(l->gone, l->ngone, sizeof *l->gone, tag);
 
-	while (lo < hi) {
-		size_t middle = (lo + hi) / 2;
-
-		if (l->gone[middle][0] < tag)
-			lo = middle + 1;
-		else
-			hi = middle;
-	}
-	return lo < l->ngone && l->gone[lo][0] == tag;
+	return k < l->ngone && l->gone[k][0] == tag;
 }
 
 /* ---- notes of bonds: each is on one rank, or all are on all */
-
-static int compare_tags(const void *a, const void *b)
-{
-	const int32_t *p = a, *q = b;
-
-	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
-}
 
 static enum ts_status share_notes(struct tsim *sim, struct ts_ledger *l)
 {
@@ -166,7 +151,7 @@ static enum ts_status share_notes(struct tsim *sim, struct ts_ledger *l)
 		status = TS_GROW(l->bond, l->bond_capacity, l->bonds + 1);
 	if (status == TS_OK && all.n) {
 		memcpy(l->bond, all.data, all.n);
-		ts_sort(l->bond, l->bonds, sizeof *l->bond, compare_tags);
+		ts_sort(l->bond, l->bonds, sizeof *l->bond, ts_compare_int32_pair);
 	}
 	ts_parcel_release(&all);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
@@ -228,7 +213,7 @@ static enum ts_status pack_differences(const struct tsim *sim, struct ts_ledger 
 	while (k < l->bonds || b < bonds->n) {
 		int order = k == l->bonds   ? 1
 			    : b == bonds->n ? -1
-					    : compare_tags(l->bond[k].tag, bonds->tag[b]);
+					    : ts_compare_int32_pair(l->bond[k].tag, bonds->tag[b]);
 
 		if (order < 0) {
 			TS_TRY(add_row(l, l->bond[k].tag, NOTED, 0, total_energy(&l->bond[k])));
@@ -255,7 +240,7 @@ static enum ts_status pack_missing(const struct tsim *sim, struct ts_ledger *l, 
 static int compare_rows(const void *a, const void *b)
 {
 	const struct row *p = a, *q = b;
-	int tags = compare_tags(p->tag, q->tag);
+	int tags = ts_compare_int32_pair(p->tag, q->tag);
 
 	if (tags)
 		return tags;
@@ -285,7 +270,7 @@ static enum ts_status post_missing(struct tsim *sim, struct ts_ledger *l, const 
 	(void)entry, (void)value;
 	ts_sort(row, n, sizeof *row, compare_rows);
 	for (size_t k = 0, end = 0; k < n; k = end) {
-		while (end < n && compare_tags(row[end].tag, row[k].tag) == 0)
+		while (end < n && ts_compare_int32_pair(row[end].tag, row[k].tag) == 0)
 			end++;
 		ts_exactsum_add(&sum, lost_energy(row + k, row + end));
 	}

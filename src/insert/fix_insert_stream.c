@@ -2,6 +2,7 @@
 #include "core/deferred_loops.h"
 #include "core/sim.h"
 
+#include "base/sort.h"
 #include "box/domain.h"
 #include "insert/insertion_rate.h"
 #include "insert/stream.h"
@@ -451,27 +452,12 @@ struct prescribe_task {
 	struct feed feed;
 };
 
-/* Position in `moving` of the first local index >= i. */
-static size_t find_first_from(const struct state *s, size_t i)
-{
-	size_t low = 0, high = s->nmoving;
-
-	while (low < high) {
-		size_t middle = (low + high) / 2;
-
-		if ((size_t)s->moving[middle] < i)
-			low = middle + 1;
-		else
-			high = middle;
-	}
-	return low;
-}
-
 static void prescribe_range(void *context, size_t from, size_t to)
 {
 	const struct prescribe_task *t = context;
 
-	for (size_t k = find_first_from(t->s, from); k < t->s->nmoving && (size_t)t->s->moving[k] < to; k++)
+	for (size_t k = ts_find_int32(t->s->moving, t->s->nmoving, sizeof *t->s->moving, (int32_t)from);
+	     k < t->s->nmoving && (size_t)t->s->moving[k] < to; k++)
 		prescribe_motion(t->s, t->sim, (size_t)t->s->moving[k], &t->feed);
 }
 

@@ -170,21 +170,14 @@ static void note_copy(void *context, int rank)
 	s->copy[s->n++][1] = s->particle;
 }
 
-static int compare_copies(const void *a, const void *b)
-{
-	const int32_t *p = a, *q = b;
-
-	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
 /* A rank may have claimed a particle several times, or be near several images of it. */
 static void remove_repeated(struct sending *s)
 {
 	size_t kept = 0;
 
-	ts_sort(s->copy, s->n, sizeof *s->copy, compare_copies);
+	ts_sort(s->copy, s->n, sizeof *s->copy, ts_compare_int32_pair);
 	for (size_t k = 0; k < s->n; k++) {
-		if (kept && !compare_copies(s->copy[kept - 1], s->copy[k]))
+		if (kept && !ts_compare_int32_pair(s->copy[kept - 1], s->copy[k]))
 			continue;
 		memmove(s->copy[kept++], s->copy[k], sizeof *s->copy);
 	}
@@ -352,18 +345,10 @@ static enum ts_status list_members(const struct ts_particles *p, struct members 
 
 static void add_body(const struct members *m, int32_t body, int rank, struct sending *s)
 {
-	size_t lo = 0, hi = m->n;
+	size_t k = ts_find_int32(m->entry, m->n, sizeof *m->entry, body);
 
-	while (lo < hi) {
-		size_t middle = (lo + hi) / 2;
-
-		if (m->entry[middle][0] < body)
-			lo = middle + 1;
-		else
-			hi = middle;
-	}
-	for (; lo < m->n && m->entry[lo][0] == body; lo++) {
-		s->particle = m->entry[lo][1];
+	for (; k < m->n && m->entry[k][0] == body; k++) {
+		s->particle = m->entry[k][1];
 		note_copy(s, rank);
 	}
 }

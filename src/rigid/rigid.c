@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/sort.h"
 #include "core/report.h"
 #include "math/rigid_turn.h"
 #include "particle/columns.h"
@@ -118,17 +119,9 @@ enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner)
 
 size_t ts_rigid_find(const struct ts_rigid *r, int32_t id)
 {
-	size_t lo = 0, hi = r->n;
+	size_t b = ts_find_int32(r->id, r->n, sizeof *r->id, id);
 
-	while (lo < hi) {
-		size_t middle = (lo + hi) / 2;
-
-		if (r->id[middle] < id)
-			lo = middle + 1;
-		else
-			hi = middle;
-	}
-	return lo < r->n && r->id[lo] == id ? lo : r->n;
+	return b < r->n && r->id[b] == id ? b : r->n;
 }
 
 const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i)

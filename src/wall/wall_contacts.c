@@ -40,15 +40,6 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	return TS_OK;
 }
 
-static int compare_keys(const void *a, const void *b)
-{
-	const int32_t *x = a, *y = b;
-
-	if (x[0] != y[0])
-		return x[0] < y[0] ? -1 : 1;
-	return (x[1] > y[1]) - (x[1] < y[1]);
-}
-
 /* Whether there is anything to copy: most listed particles do not touch. */
 static bool has_history(const struct ts_wall_contacts *c, size_t k)
 {
@@ -75,7 +66,7 @@ static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
 		list[(*n)++][2] = (int32_t)k;
 	}
 	if (list)
-		ts_sort(list, *n, sizeof *list, compare_keys);
+		ts_sort(list, *n, sizeof *list, ts_compare_int32_pair);
 	return list;
 }
 
@@ -103,7 +94,7 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 	int32_t(*list)[3] = some ? sorted_keys(old, &n) : NULL;
 
 	for (size_t k = 0; n && k < c->n; k++) {
-		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, compare_keys);
+		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, ts_compare_int32_pair);
 
 		if (found)
 			copy_history(c, k, old, (size_t)found[2], remade);

@@ -2,6 +2,7 @@
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/sort.h"
 #include "math/exactsum.h"
@@ -243,6 +244,50 @@ START_TEST(keys_sorted)
 }
 END_TEST
 
+/* Keys of which many are equal, and whose high digits are all the same. */
+START_TEST(equal_keys_sorted)
+{
+	enum { MOST = 700, VALUES = 300 };
+	uint64_t key[MOST], spare[MOST];
+	struct ts_rng rng = ts_rng_start(32452843, 1);
+
+	for (size_t n = 0; n <= MOST; n += 50) {
+		size_t count[VALUES] = { 0 };
+
+		for (size_t k = 0; k < n; k++) {
+			size_t value = (size_t)(ts_rng_uniform(&rng) * VALUES);
+
+			key[k] = (uint64_t)1 << 63 | value;
+			count[value]++;
+		}
+		ts_sort_equal_keys(key, spare, n);
+		for (size_t k = 0; k < n; k++) {
+			ck_assert(k == 0 || key[k - 1] <= key[k]);
+			count[key[k] & 0xffff]--;
+		}
+		for (size_t value = 0; value < VALUES; value++)
+			ck_assert_uint_eq(count[value], 0);
+	}
+}
+END_TEST
+
+START_TEST(pairs_found)
+{
+	int32_t pair[][2] = { { 7, 1 }, { 7, -5 }, { INT32_MIN, 3 }, { 2, 2 }, { INT32_MAX, 0 } };
+	const int32_t sorted[][2] = { { INT32_MIN, 3 }, { 2, 2 }, { 7, -5 }, { 7, 1 }, { INT32_MAX, 0 } };
+	enum { N = sizeof sorted / sizeof *sorted };
+
+	ts_sort(pair, N, sizeof *pair, ts_compare_int32_pair);
+	ck_assert_int_eq(memcmp(pair, sorted, sizeof sorted), 0);
+	ck_assert_uint_eq(ts_find_int32(sorted, N, sizeof *sorted, INT32_MIN), 0);
+	ck_assert_uint_eq(ts_find_int32(sorted, N, sizeof *sorted, 1), 1);
+	ck_assert_uint_eq(ts_find_int32(sorted, N, sizeof *sorted, 7), 2);
+	ck_assert_uint_eq(ts_find_int32(sorted, N, sizeof *sorted, 8), 4);
+	ck_assert_uint_eq(ts_find_int32(sorted, N - 1, sizeof *sorted, 8), N - 1);
+	ck_assert_uint_eq(ts_find_int32(NULL, 0, sizeof *sorted, 8), 0);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("math");
@@ -261,6 +306,8 @@ int main(void)
 	tcase_add_test(tests, exactsum_integers);
 	tcase_add_test(tests, vectors);
 	tcase_add_test(tests, keys_sorted);
+	tcase_add_test(tests, equal_keys_sorted);
+	tcase_add_test(tests, pairs_found);
 	suite_add_tcase(suite, tests);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);
