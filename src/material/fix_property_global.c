@@ -69,6 +69,14 @@ static enum ts_status refuse_duplicate(struct ts_instance *self, struct tsim *si
 		       s->property.name, by->id);
 }
 
+/* Names of kinds that LIGGGHTS has, too. */
+enum { OTHER_TYPE = TS_PROPERTY_MATRIX + 1, OTHER_PAIR };
+
+static int usual_kind(int kind)
+{
+	return kind == OTHER_TYPE ? TS_PROPERTY_TYPE : kind == OTHER_PAIR ? TS_PROPERTY_PAIR : kind;
+}
+
 static enum ts_status parse_values(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -76,6 +84,7 @@ static enum ts_status parse_values(struct ts_instance *self, struct tsim *sim)
 	struct ts_words values = s->words;
 
 	TS_TRY(refuse_duplicate(self, sim));
+	p->kind = usual_kind(p->kind);
 	p->columns = 1;
 	if (p->kind >= TS_PROPERTY_PAIR)
 		TS_TRY(read_columns(sim, s, &values));
@@ -140,13 +149,15 @@ static const struct ts_arg matrix_rows[] = {
 		.help = "number of types N, then N rows of N numbers; peratomtypepair must be symmetric"),
 	TS_ARGS_END,
 };
-/* In the order of enum ts_property_kind. */
+/* In the order of enum ts_property_kind, then OTHER_TYPE and OTHER_PAIR. */
 static const struct ts_mode kinds[] = {
 	{ "scalar", "one number", list_rows },
 	{ "vector", "a list of numbers", list_rows },
 	{ "peratomtype", "one number per atom type", list_rows },
 	{ "peratomtypepair", "one number per pair of atom types", matrix_rows },
 	{ "matrix", "a matrix of numbers", matrix_rows },
+	{ "atomtype", "the same as peratomtype", list_rows },
+	{ "atomtypepair", "the same as peratomtypepair", matrix_rows },
 	{ .name = NULL },
 };
 

@@ -185,29 +185,77 @@ static enum ts_status set_home(struct ts_script *script)
 				      strerror(errno));
 }
 
-static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	struct ts_words words = ((const struct shell *)state)->words;
-	size_t a = 0, n = sizeof actions / sizeof *actions;
-	struct ts_script *script;
+enum { ACTIONS = sizeof actions / sizeof *actions };
 
-	TS_TRY(ts_script_of(sim, where, &script));
-	TS_TRY(set_home(script));
-	if (ts_streq(words.word[0].text, "mv"))
-		return move_file(script, words);
-	while (a < n && !ts_streq(actions[a].name, words.word[0].text))
+/* ACTIONS: it is none of them. */
+static size_t find_action(const char *name)
+{
+	size_t a = 0;
+
+	while (a < ACTIONS && !ts_streq(actions[a].name, name))
 		a++;
-	if (a == n)
-		return script->programs ? run_program(sim, words) : unknown_action(sim, &words.word[0]);
+	return a;
+}
+
+static bool is_move(const char *name)
+{
+	return ts_streq(name, "mv");
+}
+
+static enum ts_status run_words(struct ts_script *script, struct ts_words words)
+{
+	const struct ts_word *first = &words.word[0];
+	const size_t a = find_action(first->text);
+	struct tsim *sim = script->sim;
+
+	if (is_move(first->text))
+		return move_file(script, words);
+	if (a == ACTIONS)
+		return script->programs ? run_program(sim, words) : unknown_action(sim, first);
 	if (words.n < 2)
-		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place, "expected a name after '%s'",
+		return ts_fail(&sim->error, TS_SYNTAX, &first->place, "expected a name after '%s'",
 			       actions[a].name);
 	if (actions[a].act == set_environment && !script->programs)
-		return ts_fail(&sim->error, TS_STATE, &words.word[0].place,
+		return ts_fail(&sim->error, TS_STATE, &first->place,
 			       "shell putenv changes the environment only with the option -shell yes");
 	for (size_t k = 1; k < words.n; k++)
 		TS_TRY(run_action(script, a, &words.word[k]));
 	return TS_OK;
+}
+
+/* The words of a command that is one word in quotes, as `shell "mkdir -p post"`; others are left as they are. */
+static enum ts_status split_quoted(struct ts_arena *arena, struct ts_words *words)
+{
+	const struct ts_word *quoted = &words->word[0];
+	struct ts_words parts;
+	struct ts_word *word;
+
+	if (words->n != 1 || !quoted->quoted)
+		return TS_OK;
+	TS_TRY(ts_words_split(arena, quoted->text, &quoted->place, &parts));
+	if (parts.n < 2 || (find_action(parts.word[0].text) == ACTIONS && !is_move(parts.word[0].text)))
+		return TS_OK;
+	word = ts_arena_alloc(arena, parts.n, sizeof *word);
+	if (!word)
+		return TS_NOMEM;
+	for (size_t k = 0; k < parts.n; k++)
+		word[k] = (struct ts_word){ parts.word[k].text, quoted->place, true };
+	*words = (struct ts_words){ word, parts.n };
+	return TS_OK;
+}
+
+static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct ts_words words = ((const struct shell *)state)->words;
+	struct ts_arena arena = { 0 };
+	struct ts_script *script;
+	enum ts_status status;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	TS_TRY(set_home(script));
+	status = split_quoted(&arena, &words) == TS_OK ? run_words(script, words) : ts_nomem(&sim->error);
+	ts_arena_release(&arena);
+	return status;
 }
 
 const struct ts_command_style ts_command_shell = {
@@ -217,7 +265,8 @@ const struct ts_command_style ts_command_shell = {
 		.summary = "creates folders, moves and removes files",
 		.doc = "mkdir also creates the parent folders; a folder that exists is no error. rm or rmdir "
 		       "of a name that does not exist gives a warning; rm does not remove folders. Options "
-		       "such as -p and -rf have no effect. rm, rmdir and mv act only below the folder in "
+		       "such as -p and -rf have no effect. The whole may be one word in quotes: shell \"mkdir -p "
+		       "post\". rm, rmdir and mv act only below the folder in "
 		       "which tsim was started; symbolic links are resolved. With the option -shell yes of "
 		       "the command line they act everywhere, putenv sets environment variables, and any "
 		       "other words are executed by the system's shell; without it these are refused. The "

@@ -48,6 +48,18 @@ print \"sum \$(c_sum)\"" 'sum 0.5'
 rejects "$box
 compute sum all reduce update_on_run_end maybe sum vx" 'update_on_run_end takes yes or no'
 
+# A command in quotes, and names of kinds without `per`.
+other=${material//peratomtypepair/atomtypepair}
+prints "shell \"mkdir -p made/inner second\"
+shell 'mv made moved'
+${box/"$material"/${other/peratomtype /atomtype }}
+run 1
+print \"modulus \$(f_m1[1]) restitution \$(f_m3[1]:%g)\"" 'modulus 5000000 restitution 0.3'
+[ -d moved/inner ] && [ -d second ]
+report 'folders made and moved' $? out
+rejects 'shell "rm -rf /etc/hosts"' 'not below'
+rejects 'shell "make all"' "shell knows mkdir, mv, rm, rmdir and cd, not 'make all'"
+
 prints "atom_style hybrid granular/omp bond/gran n_bondtypes 1 bonds_per_atom 6
 $box
 velocity all set 0 0 0

@@ -144,16 +144,17 @@ syn match tsimKeyword /\<next\>/
 syn keyword tsimKeyword  molfrac rigid shake ghost writedata add_region check_region_every
 syn keyword tsimKeyword  region_mark mark_step marker_style dirac heaviside
 syn keyword tsimKeyword  check_mark_every insert_stream n_tracer peratomtype
-syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
-syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
-syn keyword tsimKeyword  white formula correlation noise columns waves selfaffine hurst
-syn keyword tsimKeyword  shortest roll longest datum merge method divided kernel reach
-syn keyword tsimKeyword  settled inertia_1 inertia_2 arm joint_1 joint_2 start_1 start_2
-syn keyword tsimKeyword  model hooke hertz hooke/stiffness hooke/modulus hertz/stiffness
-syn keyword tsimKeyword  hooke/hysteresis jkr history no_history incremental_history
-syn keyword tsimKeyword  jkr_tan rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2
-syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous multicontact
-syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  peratomtypepair matrix atomtype atomtypepair massratevariable
+syn keyword tsimKeyword  style shrink delete_below integrated_error scale_width tether
+syn keyword tsimKeyword  couple constant black white formula correlation noise columns
+syn keyword tsimKeyword  waves selfaffine hurst shortest roll longest datum merge method
+syn keyword tsimKeyword  divided kernel reach settled inertia_1 inertia_2 arm joint_1
+syn keyword tsimKeyword  joint_2 start_1 start_2 model hooke hertz hooke/stiffness
+syn keyword tsimKeyword  hooke/modulus hertz/stiffness hooke/hysteresis jkr history
+syn keyword tsimKeyword  no_history incremental_history jkr_tan rolling_friction cdt epsd
+syn keyword tsimKeyword  epsd2 epsd3 cohesion sjkr sjkr2 easo/capillary/viscous
+syn keyword tsimKeyword  washino/capillary/viscous multicontact limitForce
+syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
