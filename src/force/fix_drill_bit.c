@@ -291,10 +291,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	double least = INFINITY, g;
 
 	for (int k = 0; k < NCUTTERS; k++)
-		least = fmin(least, p->mass[b->index.cutter[k]]);
-	g = b->damping / (2 * least);
-	if (!(b->spring > 0))
+		if (b->index.cutter[k] >= 0) /* else it belongs to another rank */
+			least = fmin(least, p->mass[b->index.cutter[k]]);
+	if (!(b->spring > 0) || isinf(least))
 		return TS_OK;
+	g = b->damping / (2 * least);
 	return ts_report_limit(report, 2 * (sqrt(b->spring / least + g * g) - g) / (b->spring / least), true,
 			       &self->where, "the coupling spring of fix drill/bit");
 }

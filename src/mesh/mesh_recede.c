@@ -232,8 +232,9 @@ static enum ts_status renew(struct tsim *sim, struct ts_mesh_surface *s, double 
 		ts_mesh_surface_place(sim, s);
 	else
 		ts_mesh_update_geometry(&s->mesh);
-	for (size_t c = 0; c < 9 * s->mesh.n; c++)
-		most = fmax(most, fabs(s->mesh.x[0][0][c]));
+	for (size_t c = 0; c < 3 * s->mesh.n; c++)
+		for (int d = 0; d < 3; d++)
+			most = fmax(most, fabs(s->mesh.x[c / 3][c % 3][d]));
 	s->mesh.loose += 0x1p-51 * most; /* corners of one vertex are rounded each for itself */
 	s->travelled += farthest + 0x1p-50 * most;
 	s->moves++;

@@ -470,7 +470,7 @@ static size_t move_rows(const struct ts_particles *p, size_t columns, size_t fro
 		size_t width = c->element * c->width;
 		char *rows = (char *)c->data + from * width;
 
-		if (!c->active)
+		if (!c->active || !n)
 			continue;
 		if (bytes && out)
 			memcpy(bytes + at, rows, n * width);
