@@ -7,6 +7,7 @@
 #include "base/input_limit.h"
 #include "core/ranks.h"
 #include "program/program.h"
+#include "program/program_ranks.h"
 #include "script/script.h"
 #include "tsim.h"
 
@@ -132,9 +133,11 @@ static const struct ts_program_option options[NOPTIONS] = {
 
 int ts_program_usage_error(const char *format, const char *what, const char *more)
 {
-	fputs("tsim: ", stderr);
-	fprintf(stderr, format, what, more);
-	fputs("\n'tsim -help' lists the options\n", stderr);
+	if (ts_program_ranks_first()) { /* options are read before ranks begin */
+		fputs("tsim: ", stderr);
+		fprintf(stderr, format, what, more);
+		fputs("\n'tsim -help' lists the options\n", stderr);
+	}
 	return TS_EXIT_USAGE;
 }
 

@@ -19,19 +19,32 @@
 #include "base/banned.h"
 
 /* Variables by which the usual launchers tell how many processes they have started, or that they have. */
-static const char *const numbers[] = { "OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE" };
+enum { LAUNCHERS = 3 };
+static const char *const numbers[LAUNCHERS] = { "OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE" };
+static const char *const ranks[LAUNCHERS] = { "OMPI_COMM_WORLD_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK" };
 
-static int64_t started_processes(void)
+/* The number of the first of these variables that has one. */
+static int64_t number_of(const char *const *variables, int64_t otherwise)
 {
 	int64_t n;
 
-	for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
-		const char *text = getenv(numbers[k]);
+	for (int k = 0; k < LAUNCHERS; k++) {
+		const char *text = getenv(variables[k]);
 
 		if (text && ts_parse_int(text, &n))
 			return n;
 	}
-	return 1;
+	return otherwise;
+}
+
+static int64_t started_processes(void)
+{
+	return number_of(numbers, 1);
+}
+
+bool ts_program_ranks_first(void)
+{
+	return number_of(ranks, 0) == 0;
 }
 
 static void spread_bytes(void *data, void *bytes, size_t n)

@@ -8,6 +8,9 @@
 
 /* The version of MPI by which there are ranks, or "no". */
 const char *ts_program_ranks_standard(void);
+/* Whether this is the first of the processes that a launcher started, or it is alone: by its variables, before there are
+ * ranks. */
+bool ts_program_ranks_first(void);
 /* The communicator of all processes; NULL: this process is alone (then nothing is initialised), or *why tells why the
  * processes that were started cannot work together. */
 struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **why);

@@ -232,6 +232,9 @@ printf 'units lj\nnonsense 1\n' >in.wrong
 ranks 3 -in in.wrong -log none
 [ $? != 0 ] && [ "$(grep -c 'in.wrong:2:1: error: ' out)" = 1 ]
 report 'an error in the script is printed once' $? out
+on_ranks 3 "$TSIM" -lgo none >out 2>&1
+[ "$(grep -c "^tsim: unknown option '-lgo'" out)" = 1 ]
+report 'an error in the options is printed once' $? out
 sed -e 's/^thermo_modify.*/thermo_modify lost error/' "$scenes/in.outlet" >in.lost
 begin=$SECONDS
 ranks 4 -in in.lost -log none -var out many
