@@ -61,11 +61,13 @@ static bool is_named(const struct ts_image_surface *s, const struct ts_instance 
 static enum ts_status check_own_values(struct tsim *sim, struct ts_image_surface *s)
 {
 	const struct ts_instance *by;
+	enum ts_status status = TS_OK;
 
-	for (size_t k = 0; s->value && !s->input.name && (by = s->sort->next(sim, &k));)
+	for (size_t k = 0; status == TS_OK && s->value && !s->input.name && (by = s->sort->next(sim, &k));)
 		if (is_named(s, by))
-			TS_TRY(find_own_values(sim, s, by));
-	return TS_OK;
+			status = find_own_values(sim, s, by);
+	ts_table_release(&s->values);
+	return status;
 }
 
 static enum ts_status read_value(struct tsim *sim, struct ts_image_surface *s, const struct ts_place *where)
