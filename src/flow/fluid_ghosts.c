@@ -116,8 +116,8 @@ struct plane {
 	int d, a, b, from[3], to[3];
 };
 
-/* `present`: without planes across the last axis that do not have the present values (fluid->planes). */
-static struct plane plane_across(const struct ts_fluid *fluid, int d, bool present)
+/* Without planes across the last axis that do not have the present values (fluid->planes). */
+static struct plane plane_across(const struct ts_fluid *fluid, int d)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	struct plane plane = { .d = d, .a = d == 0, .b = d == 2 ? 1 : 2 };
@@ -126,7 +126,7 @@ static struct plane plane_across(const struct ts_fluid *fluid, int d, bool prese
 		plane.from[k] = -grid->ghosts[k];
 		plane.to[k] = grid->n[k] + grid->ghosts[k];
 	}
-	if (present && fluid->planes.some && d < 2) {
+	if (fluid->planes.some && d < 2) {
 		plane.from[2] = fluid->planes.from;
 		plane.to[2] = fluid->planes.to;
 	}
@@ -135,9 +135,9 @@ static struct plane plane_across(const struct ts_fluid *fluid, int d, bool prese
 
 /* Rows [from, to) of the plane; a row is along its axis a. A line across d reads of other lines only
  * values that do not change, so that rows can be processed in parallel. */
-static struct plane rows_across(const struct ts_fluid *fluid, int d, bool present, size_t from, size_t to)
+static struct plane rows_across(const struct ts_fluid *fluid, int d, size_t from, size_t to)
 {
-	struct plane plane = plane_across(fluid, d, present);
+	struct plane plane = plane_across(fluid, d);
 
 	plane.to[plane.b] = plane.from[plane.b] + (int)to;
 	plane.from[plane.b] += (int)from;
@@ -146,15 +146,23 @@ static struct plane rows_across(const struct ts_fluid *fluid, int d, bool presen
 
 /* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the
  * number of threads. */
-static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, bool present, int rounds,
-				  ts_range_fn *share, void *task)
+static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_range_fn *share,
+				  void *task)
 {
-	struct plane plane = plane_across(fluid, d, present);
+	struct plane plane = plane_across(fluid, d);
 	size_t rows = (size_t)(plane.to[plane.b] - plane.from[plane.b]);
 	size_t lines = rows * (size_t)(plane.to[plane.a] - plane.from[plane.a]);
 	int team = ts_fluid_team(fluid, lines * (size_t)rounds);
 
 	ts_parallel(rows < (size_t)team ? (int)rows : team, rows, share, task);
+}
+
+/* Whether the planes with present values have this face, or its ghosts. */
+static bool has_face(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
+{
+	if (!fluid->planes.some || d < 2)
+		return true;
+	return side == TS_LOW ? fluid->planes.from <= 0 : fluid->planes.to > fluid->grid.n[2];
 }
 
 static inline ptrdiff_t plane_offset(const struct ts_grid *grid, const struct plane *plane, int ia, int ib)
@@ -315,8 +323,6 @@ struct velocity_task {
 	double *const *u;
 	int d;
 	bool keep;
-	bool present;	/* rows of ts_fluid_planes only */
-	int first, end; /* components, in their order from that across the face on */
 };
 
 /* The component across the face comes first: its sign determines the ghosts of the others on open faces. */
@@ -324,47 +330,36 @@ static void velocity_rows(void *context, size_t from, size_t to)
 {
 	const struct velocity_task *task = context;
 	const struct ts_grid *grid = &task->fluid->grid;
-	struct plane plane = rows_across(task->fluid, task->d, task->present, from, to);
+	struct plane plane = rows_across(task->fluid, task->d, from, to);
 
-	for (int turn = task->first; turn < task->end; turn++) {
+	for (int turn = 0; turn < grid->dimensions; turn++) {
 		int c = (task->d + turn) % grid->dimensions;
 
 		if (grid->periodic[task->d]) {
 			wrap_periodic(grid, task->u[c], &plane);
 			continue;
 		}
-		for (int side = 0; side < 2; side++)
+		for (int side = 0; side < 2; side++) {
+			if (!has_face(task->fluid, task->d, (enum ts_grid_side)side))
+				continue;
 			if (turn == 0)
 				fill_across(task->fluid, task->u[c], &plane, (enum ts_grid_side)side,
 					    task->keep);
 			else
 				fill_along(task->fluid, task->u, c, &plane, (enum ts_grid_side)side);
+		}
 	}
 }
 
-static void fill_components(struct velocity_task *task, int first, int end, bool present)
-{
-	task->first = first;
-	task->end = end;
-	task->present = present;
-	fill_rows_in_parallel(task->fluid, task->d, present, 2 * (end - first), velocity_rows, task);
-}
-
 /* Axis by axis, each including the ghosts of the axes before it, so that edges and corners are set as
- * well. The flow through boundaries is known on all ranks: the components across them are set in all planes. */
+ * well. */
 static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool keep)
 {
 	const int components = fluid->grid.dimensions;
 	struct velocity_task task = { .fluid = fluid, .u = u, .keep = keep };
 
-	for (task.d = 0; task.d < components; task.d++) {
-		if (!fluid->planes.some) {
-			fill_components(&task, 0, components, false);
-			continue;
-		}
-		fill_components(&task, 0, 1, fluid->grid.periodic[task.d]);
-		fill_components(&task, 1, components, true);
-	}
+	for (task.d = 0; task.d < components; task.d++)
+		fill_rows_in_parallel(fluid, task.d, 2 * components, velocity_rows, &task);
 }
 
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
@@ -421,13 +416,15 @@ static void centred_rows(void *context, size_t from, size_t to)
 {
 	const struct centred_task *task = context;
 	const struct ts_grid *grid = &task->fluid->grid;
-	struct plane plane = rows_across(task->fluid, task->d, true, from, to);
+	struct plane plane = rows_across(task->fluid, task->d, from, to);
 
 	if (grid->periodic[task->d]) {
 		wrap_periodic(grid, task->field, &plane);
 		return;
 	}
 	for (int side = 0; side < 2; side++) {
+		if (!has_face(task->fluid, task->d, (enum ts_grid_side)side))
+			continue;
 		bool given = task->is_pressure && ts_flow_face_open(task->fluid->face[task->d][side]);
 
 		fill_centred_side(grid, task->field, &plane, (enum ts_grid_side)side,
@@ -442,7 +439,7 @@ static void fill_centred(const struct ts_fluid *fluid, double *field, bool is_pr
 	};
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
-		fill_rows_in_parallel(fluid, task.d, true, 2, centred_rows, &task);
+		fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
 }
 
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field)
@@ -466,5 +463,5 @@ void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field)
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
 		if (fluid->grid.periodic[task.d])
-			fill_rows_in_parallel(fluid, task.d, true, 2, centred_rows, &task);
+			fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
 }
