@@ -1194,6 +1194,8 @@ library_sources = \
 	src/poisson/hypre.h \
 	src/poisson/multigrid.c \
 	src/poisson/multigrid.h \
+	src/poisson/multigrid_slabs.c \
+	src/poisson/multigrid_slabs.h \
 	src/poisson/poisson.c \
 	src/poisson/poisson.h \
 	src/poisson/preconditioned_cg.c \

@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/clones.h"
+#include "poisson/multigrid_slabs.h"
 
 #include "base/banned.h"
 
@@ -159,7 +160,7 @@ static enum ts_status make_transfer(struct ts_multigrid_level *fine, const struc
 	return fine->row ? TS_OK : TS_NOMEM;
 }
 
-enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil *finest)
+static enum ts_status make_levels(struct ts_multigrid *m, const struct ts_stencil *finest)
 {
 	*m = (struct ts_multigrid){ .finest = finest };
 	m->level[0].s = *finest;
@@ -182,6 +183,13 @@ enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil
 	return TS_OK;
 }
 
+enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil *finest,
+				 const struct ts_slabs *slabs)
+{
+	TS_TRY(make_levels(m, finest));
+	return slabs && slabs->world ? ts_multigrid_divide(m, slabs->world) : TS_OK;
+}
+
 void ts_multigrid_release(struct ts_multigrid *m)
 {
 	for (int k = 0; k < TS_LEVELS; k++) {
@@ -191,6 +199,7 @@ void ts_multigrid_release(struct ts_multigrid *m)
 			ts_free(l->transfer[d].begin);
 			ts_free(l->transfer[d].above);
 		}
+		ts_slabs_release(&l->slabs);
 		ts_free(l->row);
 		ts_free(l->r);
 		ts_free(l->p);
@@ -298,21 +307,29 @@ static void restrict_row(const struct ts_multigrid_level *fine, const struct ts_
 
 static void restrict_residual(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
 {
-	int rows = ts_stencil_rows(&coarse->s);
+	long first, end;
 
 	ts_stencil_residual(&fine->s, fine->p, fine->rhs, fine->r);
+	ts_multigrid_share_residual(fine);
+	ts_slabs_rows(&coarse->slabs, coarse->s.n[2], coarse->s.n[1], 0, &first, &end);
 #pragma omp parallel for num_threads(coarse->s.threads) schedule(static)
-	for (int row = 0; row < rows; row++)
-		restrict_row(fine, coarse, row % coarse->s.n[1], row / coarse->s.n[1],
+	for (long row = first; row < end; row++)
+		restrict_row(fine, coarse, (int)(row % coarse->s.n[1]), (int)(row / coarse->s.n[1]),
 			     fine->row + (size_t)row * (size_t)fine->s.n[0]);
+	ts_multigrid_share_rhs(coarse);
 }
 
 static void prolong_correction(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
 {
-	int rows = ts_stencil_rows(&fine->s);
+	int first, end;
 
+	if (coarse->s.slabs)
+		ts_stencil_ghosts_beside(&coarse->s, coarse->p, fine->correction.below,
+					 fine->correction.above);
+	ts_stencil_own(&fine->s, &first, &end);
 #pragma omp parallel for num_threads(fine->s.threads) schedule(static)
-	for (int row = 0; row < rows; row++) /* the residual is not needed any more: its memory holds rows */
+	for (int row = first; row < end;
+	     row++) /* the residual is not needed any more: its memory holds rows */
 		prolong_row(fine, coarse, row % fine->s.n[1], row / fine->s.n[1],
 			    fine->r + ts_stencil_row(&fine->s, row) - 1);
 	ts_stencil_ghosts(&fine->s, fine->p);
@@ -328,6 +345,22 @@ static void sweep_down(const struct ts_multigrid_level *l)
 {
 	for (int colour = l->s.colours - 1; colour >= 0; colour--)
 		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
+}
+
+/* p = 0 in the planes of this rank and in those beside them. */
+static void clear_correction(const struct ts_multigrid_level *l)
+{
+	const struct ts_stencil *s = &l->s;
+	size_t from, to;
+
+	ts_slabs_own(s->slabs, (size_t)s->n[2], &from, &to);
+	if (ts_slabs_ranks(s->slabs) == 1 || s->periodic[2]) {
+		memset(l->p, 0, s->size * sizeof *l->p);
+		return;
+	}
+	/* from the ghosts of the plane below to the ghosts of the plane above */
+	memset(l->p + from * (size_t)s->stride[2], 0,
+	       ((to + 2 - from) * (size_t)s->stride[2] + 8) * sizeof *l->p);
 }
 
 /* As many sweeps in reverse order as in forward order: symmetric. */
@@ -347,8 +380,9 @@ void ts_multigrid_cycle(void *multigrid, const double *r, double *z)
 
 	l[0].p = z;
 	l[0].rhs = r;
+	ts_multigrid_set_slabs(m);
 	for (int k = 0; k <= last; k++) {
-		memset(l[k].p, 0, l[k].s.size * sizeof *l[k].p);
+		clear_correction(&l[k]);
 		if (k == last)
 			break;
 		sweep_up(&l[k]);

@@ -33,16 +33,26 @@ struct ts_multigrid_level {
 	const double *rhs;			  /* b, or on the finest level the caller's */
 	struct ts_multigrid_transfer transfer[3]; /* to the next level */
 	double *row; /* work memory: a row of this level for each row of the next */
+	/* Of ranks that divide this level, or give each other the right-hand side of the first one that they do not divide. */
+	struct ts_slabs slabs;
+	/* Planes beside its own ones that a rank needs: of the residual, to restrict it, and of the correction of the next
+	 * level, to interpolate it. */
+	struct ts_multigrid_beside {
+		int below, above;
+	} residual, correction;
 };
 
 struct ts_multigrid {
 	int levels;
 	const struct ts_stencil *finest;
 	struct ts_multigrid_level level[TS_LEVELS]; /* level[0].s is a copy of *finest */
+	int divided; /* number of levels that ranks divide; all others each computes as a whole */
 };
 
-/* Makes the levels for the shape of the finest; to be released also after a failure. */
-enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil *finest);
+/* Makes the levels for the shape of the finest; to be released also after a failure. `slabs`: of ranks that can divide it; NULL:
+ * none. They do in cycles in which finest->slabs are active. */
+enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil *finest,
+				 const struct ts_slabs *slabs);
 void ts_multigrid_release(struct ts_multigrid *m);
 /* Computes the links of the coarser levels from the present ones of the finest. */
 void ts_multigrid_set_weights(struct ts_multigrid *m);

@@ -84,7 +84,7 @@ enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *
 	if (status == TS_OK && (any || c->wanted == TS_PRECONDITION_DIRECT))
 		status = ts_direct_make(&c->direct, problem, s->threads);
 	if (status == TS_OK && ((any && problem->weight[0]) || c->wanted == TS_PRECONDITION_MULTIGRID))
-		status = ts_multigrid_make(&c->multigrid, s);
+		status = ts_multigrid_make(&c->multigrid, s, problem->slabs);
 	if (status == TS_OK && c->wanted == TS_PRECONDITION_HYPRE && !(c->hypre = ts_hypre_make(s)))
 		status = TS_NOMEM;
 	if (status != TS_OK)
@@ -118,6 +118,7 @@ bool ts_preconditioned_divided(const struct ts_instance *self)
 		return false;
 	kind = choose_preconditioner(c);
 	return kind == TS_PRECONDITION_DIAGONAL ||
+	       (kind == TS_PRECONDITION_MULTIGRID && c->multigrid.divided) ||
 	       (kind == TS_PRECONDITION_DIRECT && ts_direct_divided(&c->direct));
 }
 

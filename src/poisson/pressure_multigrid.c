@@ -42,6 +42,7 @@ const struct ts_pressure_style ts_pressure_multigrid = {
 		   .fini = ts_preconditioned_fini },
 	.prepare = prepare,
 	.solve = ts_preconditioned_solve,
+	.divided = ts_preconditioned_divided,
 	.cost = cost,
 	.fields = 12,
 };

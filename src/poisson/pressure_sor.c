@@ -46,6 +46,13 @@ static enum ts_status prepare(struct ts_instance *self, struct tsim *sim, const 
 	return s->spare ? TS_OK : ts_nomem(&sim->error);
 }
 
+static bool divided(const struct ts_instance *self)
+{
+	const struct sor *s = self->state;
+
+	return ts_slabs_ranks(s->iteration.problem->slabs) > 1;
+}
+
 static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const double *rhs, double *p,
 			    struct ts_poisson_report *report)
 {
@@ -53,6 +60,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 	struct ts_iteration *it = &s->iteration;
 	double goal;
 
+	it->stencil.slabs = divided(self) ? it->problem->slabs : NULL;
 	TS_TRY(ts_iteration_begin(it, self, sim, rhs, p, &goal));
 	*report = ts_relaxation_solve(&it->stencil, s->omega, it->b, it->p, s->spare, goal, (int)it->most);
 	return ts_iteration_end(it, self, sim, goal, report, p);
@@ -96,6 +104,7 @@ const struct ts_pressure_style ts_pressure_sor = {
 		   .fini = fini },
 	.prepare = prepare,
 	.solve = solve,
+	.divided = divided,
 	.cost = cost,
 	.fields = 7,
 };

@@ -207,35 +207,57 @@ static void copy_row(const struct ts_stencil *s, double *p, size_t to, size_t fr
 	memcpy(p + to, p + from, (size_t)s->n[0] * sizeof *p);
 }
 
-/* Ghosts are set from inner cells only, so that the axes are independent. */
-void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
+/* Ghosts along x and y of planes from .. to - 1, modulo their number. */
+static void set_ghosts_of_planes(const struct ts_stencil *s, double *p, int from, int to)
 {
-	int rows = ts_stencil_rows(s), team = 1 + rows / GHOST_ROWS;
-	const struct ts_slabs_field planes = { p + ts_stencil_at(s, 0, 0, 0), (size_t)s->stride[2], 0, 0 };
+	const int rows = (to - from) * s->n[1], team = 1 + rows / GHOST_ROWS;
 
-	ts_slabs_share_beside(s->slabs, &planes, 1, 1, s->periodic[2]);
-	if (!s->periodic[0] && !s->periodic[1] && !s->periodic[2])
-		return;
 #pragma omp parallel num_threads(team < s->threads ? team : s->threads)
 	{
 #pragma omp for schedule(static) nowait
 		for (int row = 0; row < (s->periodic[0] ? rows : 0); row++) {
-			double *first = p + ts_stencil_row(s, row);
+			const int k = (from + row / s->n[1] + s->n[2]) % s->n[2];
+			double *first = p + ts_stencil_at(s, 0, row % s->n[1], k);
 
 			first[-1] = first[s->n[0] - 1];
 			first[s->n[0]] = first[0];
 		}
 #pragma omp for schedule(static) nowait
-		for (int k = 0; k < (s->periodic[1] ? s->n[2] : 0); k++) {
+		for (int plane = from; plane < (s->periodic[1] ? to : from); plane++) {
+			const int k = (plane + s->n[2]) % s->n[2];
+
 			copy_row(s, p, ts_stencil_at(s, 0, -1, k), ts_stencil_at(s, 0, s->n[1] - 1, k));
 			copy_row(s, p, ts_stencil_at(s, 0, s->n[1], k), ts_stencil_at(s, 0, 0, k));
 		}
-#pragma omp for schedule(static) nowait
-		for (int j = 0; j < (s->periodic[2] ? s->n[1] : 0); j++) {
-			copy_row(s, p, ts_stencil_at(s, 0, j, -1), ts_stencil_at(s, 0, j, s->n[2] - 1));
-			copy_row(s, p, ts_stencil_at(s, 0, j, s->n[2]), ts_stencil_at(s, 0, j, 0));
-		}
 	}
+}
+
+/* Ghosts are set from inner cells only, so that the axes are independent. */
+void ts_stencil_ghosts_beside(const struct ts_stencil *s, double *p, int below, int above)
+{
+	const struct ts_slabs_field planes = { p + ts_stencil_at(s, 0, 0, 0), (size_t)s->stride[2], 0, 0 };
+	size_t from, to;
+
+	ts_slabs_share_beside(s->slabs, &planes, below, above, s->periodic[2]);
+	if (!s->periodic[0] && !s->periodic[1] && !s->periodic[2])
+		return;
+	ts_slabs_own(s->slabs, (size_t)s->n[2], &from, &to);
+	if (ts_slabs_ranks(s->slabs) == 1)
+		below = above = 0;
+	if (!s->periodic[2]) {
+		below = below < (int)from ? below : (int)from;
+		above = above < s->n[2] - (int)to ? above : s->n[2] - (int)to;
+	}
+	set_ghosts_of_planes(s, p, (int)from - below, (int)to + above);
+	for (int j = 0; j < (s->periodic[2] ? s->n[1] : 0); j++) {
+		copy_row(s, p, ts_stencil_at(s, 0, j, -1), ts_stencil_at(s, 0, j, s->n[2] - 1));
+		copy_row(s, p, ts_stencil_at(s, 0, j, s->n[2]), ts_stencil_at(s, 0, j, 0));
+	}
+}
+
+void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
+{
+	ts_stencil_ghosts_beside(s, p, 1, 1);
 }
 
 /* out = A p along a row. */
@@ -360,8 +382,11 @@ static void sweep_row(const struct ts_stencil *s, size_t at, double *p, const do
 
 void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++) {
+	for (int row = first; row < end; row++) {
 		int of_row = (int)(s->colour[1][row % s->n[1]] + s->colour[2][row / s->n[1]]);
 
 		sweep_row(s, ts_stencil_row(s, row), p, b, (colour + 6 - of_row) % s->colours, omega);

@@ -65,7 +65,7 @@ void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *probl
 /* Computes `inverse` from the links. */
 void ts_stencil_invert_diagonal(struct ts_stencil *s);
 
-/* The functions below, but ts_stencil_sweep, share the rows among ranks by `slabs`; sums and maxima are those of all. */
+/* The functions below share the rows among ranks by `slabs`; sums and maxima are those of all. */
 double *ts_stencil_field(const struct ts_stencil *s);
 /* Copies between fields of the grid and fields of the stencil. `volumes`: multiplied by minus the volume,
  * as for right-hand sides. */
@@ -78,6 +78,8 @@ void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, 
 void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *out);
 
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p);
+/* With so many planes of the ranks beside this one, instead of one. */
+void ts_stencil_ghosts_beside(const struct ts_stencil *s, double *p, int below, int above);
 /* out = A p, after ts_stencil_ghosts(p); returns p.Ap */
 double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out);
 /* A Gauss-Seidel sweep over the cells of one colour: p += omega (p_GS - p), with p_GS the value that

@@ -56,37 +56,49 @@ void ts_slabs_share(const struct ts_slabs *slabs, const struct ts_slabs_field *f
 	ts_world_swap(slabs->world, slabs->out, slabs->in);
 }
 
-/* Each rank gets the `depth` planes of the rank beside it that are next to its own ones, up: of that above. */
-static void share_side(const struct ts_slabs *slabs, const struct ts_slabs_field *field, size_t depth,
-		       bool up, bool ring)
+/* What this rank sends so that each gets the `depth` planes of the rank beside it that are next to its own ones, up: of that
+ * above. */
+static void add_side(const struct ts_slabs *slabs, const struct ts_slabs_field *field, size_t depth, bool up,
+		     bool ring)
 {
 	const int ranks = slabs->world->n, rank = slabs->world->rank;
 	const int from = (rank + (up ? 1 : ranks - 1)) % ranks, to = (rank + (up ? ranks - 1 : 1)) % ranks;
 	const bool first = rank == 0, last = rank == ranks - 1;
 	size_t own[2], there[2];
 
-	for (int r = 0; r < ranks; r++)
-		slabs->in[r] = slabs->out[r] = (struct ts_parcel){ 0 };
 	for (int k = 0; k < 2; k++) {
 		own[k] = ts_slabs_part(slabs, rank + k, (size_t)slabs->n);
 		there[k] = ts_slabs_part(slabs, from + k, (size_t)slabs->n);
 	}
-	if (ring || !(up ? first : last))
+	if (depth && (ring || !(up ? first : last)))
 		slabs->out[to] = planes(field->first, field->stride, up ? own[0] : own[1] - depth,
 					up ? own[0] + depth : own[1]);
-	if (ring || !(up ? last : first))
+	if (depth && (ring || !(up ? last : first)))
 		slabs->in[from] = planes(field->first, field->stride, up ? there[0] : there[1] - depth,
 					 up ? there[0] + depth : there[1]);
-	ts_world_swap(slabs->world, slabs->out, slabs->in);
 }
 
+static void clear_parcels(const struct ts_slabs *slabs)
+{
+	for (int r = 0; r < slabs->world->n; r++)
+		slabs->in[r] = slabs->out[r] = (struct ts_parcel){ 0 };
+}
+
+/* In a ring of two ranks each is on both sides of the other: two exchanges. */
 void ts_slabs_share_beside(const struct ts_slabs *slabs, const struct ts_slabs_field *field, int below,
 			   int above, bool ring)
 {
-	if (ts_slabs_ranks(slabs) == 1)
+	const int ranks = ts_slabs_ranks(slabs);
+	const bool twice = ring && ranks == 2 && below && above;
+
+	if (ranks == 1)
 		return;
-	if (above)
-		share_side(slabs, field, (size_t)above, true, ring);
-	if (below)
-		share_side(slabs, field, (size_t)below, false, ring);
+	clear_parcels(slabs);
+	add_side(slabs, field, (size_t)above, true, ring);
+	if (twice) {
+		ts_world_swap(slabs->world, slabs->out, slabs->in);
+		clear_parcels(slabs);
+	}
+	add_side(slabs, field, (size_t)below, false, ring);
+	ts_world_swap(slabs->world, slabs->out, slabs->in);
 }
