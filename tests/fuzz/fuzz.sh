@@ -30,9 +30,9 @@ fi
 command -v python3 >/dev/null || { echo 'skipped: no python3 for the seeds'; exit 77; }
 
 # the library once more, instrumented; make builds what has changed
-flags="-O1 -g -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all -fno-sanitize=pointer-overflow"
+flags="-g1 -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all -fno-sanitize=pointer-overflow"
 if ! [ -f Makefile ]; then
-	CC=$clang CFLAGS="$flags -fsanitize=fuzzer-no-link" \
+	CC="$here/compile.sh $clang" CFLAGS="$flags" \
 		"$top_srcdir/configure" -q --disable-openmp >configure.out 2>&1 ||
 		{ cat configure.out; exit 1; }
 fi
@@ -48,7 +48,7 @@ failed=0
 for target in "${targets[@]}"; do
 	parts=("$here/sandbox.c")
 	case $target in script | check | explain) parts+=("$here"/{scripts,tokens}.c) ;; esac
-	$clang $flags -fsanitize=fuzzer -D_GNU_SOURCE -I"$top_srcdir/src" "$here/fuzz_$target.c" \
+	$clang -O1 $flags -fsanitize=fuzzer -D_GNU_SOURCE -I"$top_srcdir/src" "$here/fuzz_$target.c" \
 		"${parts[@]}" libtsim.a $libraries -lm @"$here/wrap.ld" \
 		-o "fuzz_$target" || exit 1
 	effort="-seed=20231 -runs=${runs[$target]}"

@@ -1,7 +1,8 @@
 #!/bin/bash
 # Every style works on any number of ranks or is refused before a run, with its name and the reason: each one that is not
-# refused occurs in a scene whose files are the same, byte for byte, on other numbers of ranks. TS_RANKS: these numbers; without
-# them the scenes are not run (tests/rank/contract_ranks.sh runs them).
+# refused occurs in a scene whose files are the same, byte for byte, on other numbers of ranks. TS_RANKS: these numbers, 2x2 is
+# two ranks of two threads; "turns": each scene on 2x2 and, by turns, on 3, 4 or 7. Without them the scenes are not run
+# (tests/rank/contract_ranks.sh runs them).
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 # shellcheck source=tests/lib_ranks.sh
@@ -127,9 +128,19 @@ film=film # needs HDF5 and ffmpeg
 "$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
+# numbers_of TURN: of ranks of a scene
+numbers_of() {
+	local turns=(3 4 7)
+	if [ "$numbers" = turns ]; then
+		echo 2x2 "${turns[$1 % 3]}"
+	else
+		echo "$numbers"
+	fi
+}
+turn=0
 for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor slabs slabs_cg slabs_out slabs_told slabs_grids insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges legacy crowd sheared; do
 	files_of alone timeout 300 "$TSIM"
-	for n in $numbers 2x2; do # 2x2: two threads each
+	for n in $(numbers_of $((turn++))); do
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
 			files_of ranks on_ranks "${n%x2}" "$TSIM"
 		diff -rq -x log -x out -x '*.restart' -x '*.h5' alone ranks >difference
