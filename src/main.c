@@ -287,6 +287,7 @@ static int run(struct tsim *sim, struct ts_setup *setup, char **argv)
 	ts_str_release(&said);
 	sim->log.quiet = setup->check && !setup->explain;
 	status = status ? status : ts_program_report(sim, setup, argv);
+	sim->run.pauses = !sim->reading.explain && !setup->check;
 	if (!status && setup->input)
 		status = tsim_file(sim, setup->input);
 	else if (!status)

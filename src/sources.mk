@@ -336,6 +336,8 @@ library_sources = \
 	src/core/plan_steps.c \
 	src/core/ranks.c \
 	src/core/ranks.h \
+	src/core/ranks_pause.c \
+	src/core/ranks_pause.h \
 	src/core/recorder.h \
 	src/core/ref.c \
 	src/core/ref.h \

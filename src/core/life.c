@@ -7,6 +7,7 @@
 
 #include "base/clock.h"
 #include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "core/settings.h"
 #include "core/unclaimed_state.h"
 
@@ -154,6 +155,7 @@ void ts_sim_free(struct tsim *sim)
 {
 	if (!sim)
 		return;
+	ts_ranks_end_pause(sim);
 	if (sim->recorder)
 		sim->recorder->release(sim->recorder, sim);
 	free_all_instances(sim);
@@ -330,6 +332,8 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 		return ts_fail(&sim->error, TS_STATE, &where,
 			       "'%s' needs a simulation box: use create_box or read_restart first",
 			       style->name);
+	if (!(style->ranks & TS_RANKS_FORMULAS))
+		TS_TRY(ts_ranks_unite(sim));
 	state = ts_alloc_aligned(1, style->state_size ? style->state_size : 1);
 	if (!state)
 		return ts_nomem(&sim->error);

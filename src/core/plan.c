@@ -244,3 +244,17 @@ enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_st
 	ts_deferred_loops_run(sim);
 	return status;
 }
+
+enum ts_status ts_plan_have_all(struct ts_plan *plan, struct tsim *sim)
+{
+	bool resuming = sim->run.resuming;
+
+	if (sim->run.looks) {
+		TS_TRY(sim->tables->divide(plan, sim));
+		sim->run.resuming = true; /* the sums of the last step are known since the look */
+	}
+	if (sim->division)
+		TS_TRY(sim->tables->gather(plan, sim, true));
+	sim->run.resuming = resuming;
+	return TS_OK;
+}

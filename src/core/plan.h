@@ -57,6 +57,8 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim);
 /* Before the first step: computes forces if `anew`, then the stage SETUP. */
 enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew);
+/* With several ranks, inside of a run: each gets all particles and their lists, not only a look at the particles. */
+enum ts_status ts_plan_have_all(struct ts_plan *plan, struct tsim *sim);
 /* TS_STOPPED if a signal handler or the outside program has requested it. */
 enum ts_status ts_plan_stopped(struct tsim *sim);
 

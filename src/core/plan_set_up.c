@@ -41,7 +41,7 @@ static bool is_recorded(const struct tsim *sim)
 static enum ts_status can_keep_own(const struct ts_plan *plan, struct tsim *sim, bool *can)
 {
 	*can = ts_ranks(sim) > 1 && steps_to_go(sim) > 0 && sim->dimension == 3 && !sim->reading.explain &&
-	       !is_recorded(sim) && !(sim->run.resuming && sim->run.shows_contacts) &&
+	       !is_recorded(sim) && !(sim->run.resuming && sim->run.shows_contacts && !sim->run.looks) &&
 	       !first_step_is_whole(sim) && !ts_ranks_set_up_whole(plan, sim);
 	if (!*can)
 		return TS_OK;
@@ -54,7 +54,7 @@ static enum ts_status can_keep_own(const struct ts_plan *plan, struct tsim *sim,
 /* Makes the lists of the particles of this rank; *done: nothing is to be said of them. */
 static enum ts_status make_own_lists(struct ts_plan *plan, struct tsim *sim, bool *done)
 {
-	TS_TRY(sim->tables->keep_own(sim));
+	TS_TRY(sim->run.looks ? sim->tables->divide(plan, sim) : sim->tables->keep_own(sim));
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
 	TS_TRY(ts_review_search(sim, steps_to_go(sim), true));
 	TS_TRY(sim->tables->judge_own(sim));
@@ -85,16 +85,28 @@ static enum ts_status set_up_own(struct ts_plan *plan, struct tsim *sim, bool *d
 	return TS_OK;
 }
 
-enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
+/* Whether the run goes on with the forces of the last step. */
+static enum ts_status find_resuming(struct tsim *sim)
 {
 	uint64_t fingerprint;
-	bool tried = false, done = false;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
 	sim->run.resuming = !sim->legacy && fingerprint == sim->run.fingerprint;
+	return TS_OK;
+}
+
+enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
+{
+	bool tried = false, done = false;
+
+	TS_TRY(find_resuming(sim));
+	if (sim->run.looks && !sim->run.resuming)
+		TS_TRY(ts_plan_have_all(plan, sim));
 	if (!sim->run.resuming)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
 	TS_TRY(can_keep_own(plan, sim, &tried));
+	if (sim->run.looks && !tried)
+		TS_TRY(ts_plan_have_all(plan, sim));
 	if (tried)
 		TS_TRY(set_up_own(plan, sim, &done));
 	if (done)

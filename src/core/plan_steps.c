@@ -12,19 +12,19 @@
 
 #include "base/banned.h"
 
-/* With several ranks: each gets all particles and their lists, not only a look at the particles. */
-static enum ts_status have_all(struct ts_plan *plan, struct tsim *sim)
+/* After the last step. */
+static enum ts_status have_end(struct ts_plan *plan, struct tsim *sim)
 {
-	if (sim->run.looks)
-		TS_TRY(sim->tables->divide(plan, sim));
-	return sim->division ? sim->tables->gather(plan, sim, true) : TS_OK;
+	if (!ts_ranks_may_pause(plan, sim))
+		return ts_plan_have_all(plan, sim);
+	return sim->division ? sim->tables->gather(plan, sim, false) : TS_OK;
 }
 
 /* Particles are divided among ranks in all steps that need not be done with all particles. */
 static enum ts_status divide_or_gather(struct ts_plan *plan, struct tsim *sim)
 {
 	if (ts_ranks_step_due(sim))
-		return have_all(plan, sim);
+		return ts_plan_have_all(plan, sim);
 	return sim->division ? TS_OK : sim->tables->divide(plan, sim);
 }
 
@@ -113,7 +113,7 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 		check_timeout(sim);
 	}
 	if (status == TS_OK)
-		status = have_all(plan, sim);
+		status = have_end(plan, sim);
 	status = leave_run(sim, status);
 	if (sim->recorder)
 		sim->recorder->stop(sim->recorder, sim, plan);

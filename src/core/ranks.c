@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "core/recorder.h"
 
 #include "base/banned.h"
 
@@ -17,6 +18,12 @@ double ts_ranks_most(const struct tsim *sim, double value)
 {
 	ts_ranks_most_of(sim, &value, 1);
 	return value;
+}
+
+void ts_ranks_sums(const struct tsim *sim, int64_t *number, size_t n)
+{
+	if (sim->world)
+		ts_world_sums(sim->world, number, n);
 }
 
 double ts_ranks_same(const struct tsim *sim, double value)
@@ -158,10 +165,16 @@ static bool stage_is_due(const struct ts_plan *plan, const struct tsim *sim, enu
 	return false;
 }
 
+/* Whether it is the last step of a run whose end all ranks are to have. */
+static bool ends_whole(const struct ts_plan *plan, const struct tsim *sim)
+{
+	return sim->clock.step == sim->clock.last_step && !ts_ranks_may_pause(plan, sim);
+}
+
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim)
 {
-	return sim->clock.step == sim->clock.last_step || sim->requests.saving || sim->requests.stop ||
-	       sim->run.uneven || stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, 0) ||
+	return ends_whole(plan, sim) || sim->requests.saving || sim->requests.stop || sim->run.uneven ||
+	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, 0) ||
 	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, 0);
 }
 
@@ -178,8 +191,8 @@ static bool compute_reads_lists(const struct tsim *sim)
 
 bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim)
 {
-	return sim->clock.step == sim->clock.last_step || sim->requests.saving || sim->requests.stop ||
-	       sim->run.shows_lists || stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, TS_RANKS_PARTICLES) ||
+	return ends_whole(plan, sim) || sim->requests.saving || sim->requests.stop || sim->run.shows_lists ||
+	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, TS_RANKS_PARTICLES) ||
 	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || compute_reads_lists(sim);
 }
 
@@ -215,6 +228,17 @@ bool ts_ranks_set_up_whole(const struct ts_plan *plan, const struct tsim *sim)
 	return sim->run.shows_lists || sim->instances[TS_KIND_FLOW].n || sim->instances[TS_KIND_BOND].n ||
 	       compute_reads_lists(sim) || stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) ||
 	       review_reads_all(sim);
+}
+
+bool ts_ranks_may_pause(const struct ts_plan *plan, const struct tsim *sim)
+{
+	if (!sim->run.pauses || ts_ranks(sim) == 1 || sim->legacy || sim->dimension != 3 ||
+	    (sim->recorder && sim->recorder->records(sim->recorder)))
+		return false;
+	for (size_t k = 0; k < plan->n[TS_STAGE_FINISH]; k++)
+		if (!(plan->actions[TS_STAGE_FINISH][k].self->style->ranks & TS_RANKS_PARTICLES))
+			return false;
+	return !sim->requests.stop && !sim->requests.save && !ts_ranks_set_up_whole(plan, sim);
 }
 
 bool ts_ranks_step_due(const struct tsim *sim)

@@ -27,6 +27,8 @@ static inline bool ts_ranks_first(const struct tsim *sim)
 /* The largest of the values of all ranks while the particles are divided, else the value itself. */
 double ts_ranks_most(const struct tsim *sim, double value);
 void ts_ranks_most_of(const struct tsim *sim, double *value, size_t n);
+/* The sums of the numbers of all ranks, which all call it. */
+void ts_ranks_sums(const struct tsim *sim, int64_t *number, size_t n);
 /* The number of the first rank: for what is not the same on all, such as times. */
 double ts_ranks_same(const struct tsim *sim, double value);
 
@@ -55,6 +57,8 @@ bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim);
 bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim);
 /* Whether a part of the set-up of a run needs lists of all contacts on each rank. */
 bool ts_ranks_set_up_whole(const struct ts_plan *plan, const struct tsim *sim);
+/* After the last step: whether nothing at the end of the run needs lists of contacts on all ranks (core/ranks_pause.h). */
+bool ts_ranks_may_pause(const struct ts_plan *plan, const struct tsim *sim);
 /* When a step begins: whether all ranks do it with all particles. */
 bool ts_ranks_step_due(const struct tsim *sim);
 /* After CHECK: all ranks rebuild the contact list, end, save, or look what runaways meet if one of them wants it. Hooks of

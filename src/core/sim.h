@@ -137,6 +137,7 @@ struct ts_run_state {
 	bool relist;	     /* the contact list alone is to be rebuilt: no particle is deleted */
 	bool runaways;	     /* a particle has moved by more than its radius in this step */
 	bool looks;    /* all ranks have all particles for outputs, but each has lists of its own only */
+	bool pauses;   /* the script is the whole program: core/ranks_pause.h */
 	bool apart;    /* with several ranks: formulas are evaluated that may read nothing of particles */
 	bool uneven;   /* some ranks have so many particles that all are to be divided again */
 	bool complete; /* the run may end with this step: it stores all that can be read afterwards */
@@ -153,6 +154,7 @@ struct ts_run_state {
 	double timeout;		    /* ts_clock() at which runs end (timer timeout), s; 0: never */
 	int64_t timeout_every;	    /* steps between comparisons with the clock */
 	struct ts_run_watch *watch; /* or NULL */
+	struct ts_plan *paused;	    /* of the last run, if it has left a look: core/ranks_pause.h */
 	uint64_t force_ticks;	    /* of ts_ticks(), for forces in this run, or in the last one */
 };
 

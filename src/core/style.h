@@ -99,7 +99,9 @@ enum ts_rank_use {
 	 * particles of all ranks, such as insertions. */
 	TS_RANKS_STEPS = 16,
 	/* Its `review` reads no particles and no contacts, but with -explain. */
-	TS_RANKS_REVIEW = 32
+	TS_RANKS_REVIEW = 32,
+	/* Commands that read nothing of particles and contacts but by formulas, and change nothing: core/ranks_pause.h. */
+	TS_RANKS_FORMULAS = 64
 };
 
 struct ts_carrier;
@@ -196,7 +198,8 @@ struct ts_style {
 	/* Completes files that are not complete after each step (movies): called when it is removed and after the script.
 	 * fini, which follows, does the same after an error, but cannot report another one. */
 	ts_hook_fn *close;
-	unsigned ranks; /* enum ts_rank_use; commands need none, as each rank has all particles then */
+	unsigned
+		ranks; /* enum ts_rank_use; commands need none, as each rank has all particles then; some have TS_RANKS_FORMULAS */
 	/* Whether a hook of END_OF_STEP or OUTPUT, of systems SETUP, has anything to do in this step, with TS_RANKS_STEPS any hook, asked when
 	 * the step begins; NULL: always. */
 	bool (*due)(const struct ts_instance *self, const struct tsim *sim);

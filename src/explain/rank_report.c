@@ -113,14 +113,20 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 {
 	double agreement = 2 * LATENCY * ceil(log2(layout->ranks)), step = facts->most[SECONDS] + agreement,
 	       share = (facts->most[PARTICLES] + facts->most[COPIES]) / fmax((double)sim->particles->n, 1);
+	double own, columns = (double)(ts_copies_row_bytes(sim->particles) * sim->particles->n);
 	struct ts_str text = { 0 };
 
+	share = fmin(share, 1);
+	own = report->whole + share * (report->bytes - report->whole);
 	ts_str_add(&text, "  all ranks agree once a step, some times more in a rebuild and at outputs\n  "
 			  "memory of a rank about ");
-	ts_price_bytes(report->whole + fmin(share, 1) * (report->bytes - report->whole), &text);
+	ts_price_bytes(own, &text);
 	ts_str_add(&text, " in steps, ");
+	ts_price_bytes(own + (1 - share) * columns, &text);
+	ts_str_add(&text, " in set-up and at outputs of particles,\n  ");
 	ts_price_bytes(report->bytes, &text);
-	ts_str_add(&text, " in set-up and at outputs\n");
+	ts_str_add(&text, " at outputs of contacts, in set-up with bonds, a fluid or insertions, and before "
+			  "another command\n");
 	if (report->whole > 0)
 		ts_str_add(&text,
 			   "  every rank has the whole grid of the fluid or automaton; messages by which "

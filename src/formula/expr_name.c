@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "math/constants.h"
 #include "formula/expr.h"
 
@@ -221,6 +222,12 @@ static enum ts_status require_all_particles(struct ts_expr *e, const char *name,
 	return ts_expr_locate_error(e, ts_ranks_require_all(e->sim, name, NULL), at, e->at);
 }
 
+/* After a run ranks have lists of their own particles only. */
+static enum ts_status require_lists(struct ts_expr *e, bool reads_lists, size_t at)
+{
+	return reads_lists ? ts_expr_locate_error(e, ts_ranks_unite(e->sim), at, e->at) : TS_OK;
+}
+
 /* The result of a dry run. */
 static enum ts_status set_unknown(struct ts_operand *out)
 {
@@ -247,6 +254,7 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	if (e->sim->reading.dry && given)
 		return set_unknown(out);
 	TS_TRY(require_all_particles(e, name, at));
+	TS_TRY(require_lists(e, !(ref.inst && ref.inst->style->ranks & TS_RANKS_PARTICLES), at));
 	status = identity ? output_of_particle(e, name, k[0], k[1], at, out)
 			  : value_of_reference(e, &ref, &place, out);
 	return given ? ts_expr_or_unknown(e, name, status, out) : status;
@@ -293,6 +301,7 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 		return set_unknown(out);
 	if (!(keyword->flags & ALONE))
 		TS_TRY(require_all_particles(e, keyword->name, at));
+	TS_TRY(require_lists(e, keyword->flags & (TS_KEYWORD_CONTACTS | TS_KEYWORD_LISTS), at));
 	status = keyword->eval(e->sim, &out->scalar);
 	return ts_expr_locate_error(e, known ? status : ts_expr_or_unknown(e, keyword->name, status, out), at,
 				    e->at);
@@ -308,6 +317,7 @@ static enum ts_status quantity_of_particles(struct ts_expr *e, const char *name,
 	if (e->sim->reading.dry)
 		return set_unknown(out);
 	TS_TRY(require_all_particles(e, name, at));
+	TS_TRY(require_lists(e, true, at));
 	status = ts_quantity_eval(e->sim, name, &table);
 	status = ts_expr_take_table(e, status, &table, out);
 	return ts_expr_locate_error(e, ts_expr_or_unknown(e, name, status, out), at, e->at);
@@ -325,6 +335,7 @@ static enum ts_status quantity_of_particle(struct ts_expr *e, const char *name, 
 	e->formulas->reads_all = true;
 	TS_TRY(read_index(e, 1, &identity));
 	TS_TRY(require_all_particles(e, name, at));
+	TS_TRY(require_lists(e, true, at));
 	status = find_particle(e, identity, at, &row);
 	if (status == TS_OK)
 		status = ts_quantity_eval(e->sim, name, &table);

@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "neigh/neigh.h"
 #include "particle/division.h"
 #include "particle/particles.h"
@@ -57,10 +58,23 @@ static void print_ranks(struct tsim *sim, int64_t steps)
 	d->built = d->made = d->moved = d->gathered = d->listed = 0;
 }
 
+/* Ghosts, and candidate pairs; where ranks have not made the lists of all particles, those of all ranks together: copies, and
+ * pairs of two ranks twice. */
+static void count_rows(const struct tsim *sim, int64_t number[2])
+{
+	const struct ts_particles *p = sim->particles;
+
+	number[0] = (int64_t)(sim->run.looks ? p->division->look.nghost : p->nghost);
+	number[1] = (int64_t)sim->neigh->contacts.n;
+	if (sim->run.looks)
+		ts_ranks_sums(sim, number, 2);
+}
+
 static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
 	double wall = ts_clock() - sim->clock.wall_start;
 	const struct ts_particles *p = sim->particles;
+	int64_t number[2];
 
 	ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n", wall,
 	       sim->threads * ts_ranks(sim), steps, p->n);
@@ -68,8 +82,9 @@ static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t s
 		ts_log(&sim->log, "%.1f ns per particle-step\n\n",
 		       1e9 * wall / ((double)steps * (double)p->n));
 	print_times(plan, sim, wall);
-	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost,
-	       sim->neigh->contacts.n);
+	count_rows(sim, number);
+	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %" PRId64 "\nNeighs: %" PRId64 "\n", p->n, number[0],
+	       number[1]);
 	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n", sim->neigh->builds);
 	print_ranks(sim, steps);
 	if (p->lost)
@@ -100,8 +115,12 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run *r)
 {
 	struct ts_plan plan = { 0 };
-	enum ts_status status = run_plan(&plan, sim, steps, r);
+	enum ts_status status;
 
+	ts_ranks_end_pause(sim);
+	status = run_plan(&plan, sim, steps, r);
+	if (status == TS_OK && sim->run.looks)
+		status = ts_ranks_pause(sim, &plan);
 	ts_plan_release(&plan);
 	return status;
 }
@@ -234,6 +253,7 @@ const struct ts_command_style ts_command_run = {
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
 		   .args = args,
 		   .groups = groups,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .state_size = sizeof(struct run) },
 	.needs_box = true,
 	.run = run,

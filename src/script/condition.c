@@ -154,6 +154,7 @@ const struct ts_command_style ts_command_if = {
 	.style = {
 		.name = "if",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "executes commands if a condition is true",
 		.doc = "The condition is a formula: numbers, v_NAME, c_ID, functions, comparisons, && and ||; "
 		       "it is true if its value is not 0. Bare names are words, which can be compared by == "

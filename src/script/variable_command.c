@@ -56,6 +56,7 @@ const struct ts_command_style ts_command_variable = {
 	.style = {
 		.name = "variable",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "defines a variable",
 		.doc = "`tsim -help variables` describes the value of each style. A definition of style "
 		       "index, loop, world, universe, uloop, file or atomfile has no effect if a variable of "

@@ -286,6 +286,8 @@ static bool may_be_due(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_thermo *t = self->state;
 
+	if (sim->clock.step == sim->clock.last_step)
+		return true;
 	return t->variable ? sim->clock.step >= t->next : t->every && sim->clock.step % t->every == 0;
 }
 
