@@ -18,12 +18,12 @@ told() {
 same_on() {
 	local name=$1 n
 	shift
-	"$TSIM" -in "in.$name" -log none -var out one >one.out 2>&1
+	"$TSIM" -in "in.$name" -log none -progress none -var out one >one.out 2>&1
 	report "$name runs alone" $? one.out
 	told one.out >one.told
 	for n in "$@"; do
 		rm -f many.*
-		on_ranks "$n" "$TSIM" -in "in.$name" -log none -var out many >many.out 2>&1 </dev/null
+		on_ranks "$n" "$TSIM" -in "in.$name" -log none -progress none -var out many >many.out 2>&1 </dev/null
 		report "$name runs on $n ranks" $? many.out
 		told many.out >many.told
 		for file in told dump mean forces; do
