@@ -42,6 +42,13 @@
 #      75    manual/book.sh                 manual/links.sh
 #      14    manual/first_hour.sh           mesh/mesh_primitive.sh
 #       4    coupling/momentum.sh           coupling/check_coupling
+long_tests = \
+	tests/fuzz/fuzz.sh \
+	tests/rank/contract_ranks.sh \
+	tests/examples/everyday.sh \
+	tests/rank/ranks.sh \
+	tests/restart/restart_every.sh \
+	tests/manual/book.sh
 crosschecks = $(filter tests/crosscheck/%,$(shell_tests))
 slow_tests = \
 	$(crosschecks) \

@@ -13,6 +13,7 @@ import subprocess
 
 from docutils import nodes
 from sphinx import addnodes
+from sphinx.environment.adapters.toctree import TocTree
 from sphinx.util import logging
 
 logger = logging.getLogger(__name__)
@@ -346,6 +347,39 @@ def texts_for_search(app, failed):
         out.write("window.searchTexts = " + json.dumps(texts, ensure_ascii=False, indent=0) + ";\n")
 
 
+# ---- navigation
+
+def title_only(toc):
+    toc = toc.deepcopy()
+    for item in toc.children:
+        if isinstance(item, nodes.list_item):
+            del item[1:]
+    return toc
+
+
+def quick_navigation(app, page, template, context, doctree):
+    """The list of pages beside each page shows the titles of all but this one and those above it. Sphinx copies what each of
+    these pages contains before it leaves that out, which is most of the time of a book with hundreds of pages: here it gets
+    titles to copy."""
+    render = context.get("toctree")
+    if not render:
+        return
+    if not hasattr(app, "page_titles"):
+        app.page_titles = {name: title_only(toc) for name, toc in app.env.tocs.items()}
+
+    def toctree(**words):
+        whole = app.env.tocs
+        if words.get("collapse"):
+            above = TocTree(app.env).get_toctree_ancestors(page)
+            app.env.tocs = {**app.page_titles, **{name: whole[name] for name in above}}
+        try:
+            return render(**words)
+        finally:
+            app.env.tocs = whole
+
+    context["toctree"] = toctree
+
+
 def setup(app):
     app.names = Names(app.srcdir)
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_display, None))
@@ -353,6 +387,7 @@ def setup(app):
     app.connect("doctree-read", pictures_for_latex)
     app.connect("doctree-resolved", tables_for_latex)
     app.connect("doctree-resolved", formulas_of_page)
+    app.connect("html-page-context", quick_navigation)
     app.connect("build-finished", texts_for_search)
 
 

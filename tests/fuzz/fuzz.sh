@@ -32,7 +32,7 @@ command -v python3 >/dev/null || { echo 'skipped: no python3 for the seeds'; exi
 # the library once more, instrumented; make builds what has changed
 flags="-g1 -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all -fno-sanitize=pointer-overflow"
 if ! [ -f Makefile ]; then
-	CC="$here/compile.sh $clang" CFLAGS="$flags" \
+	CC="$here/compile $clang" CFLAGS="$flags" \
 		"$top_srcdir/configure" -q --disable-openmp >configure.out 2>&1 ||
 		{ cat configure.out; exit 1; }
 fi

@@ -128,19 +128,10 @@ film=film # needs HDF5 and ffmpeg
 "$TSIM" -check -in in.film -var out x 2>&1 | grep -E 'was built without HDF5|ffmpeg, which is not on the PATH' && film=
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
-# numbers_of TURN: of ranks of a scene
-numbers_of() {
-	local turns=(3 4 7)
-	if [ "$numbers" = turns ]; then
-		echo 2x2 "${turns[$1 % 3]}"
-	else
-		echo "$numbers"
-	fi
-}
 turn=0
 for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor slabs slabs_cg slabs_out slabs_told slabs_grids insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges legacy crowd sheared; do
 	files_of alone timeout 300 "$TSIM"
-	for n in $(numbers_of $((turn++))); do
+	for n in $(numbers_of 2x2 $((turn++))); do
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
 			files_of ranks on_ranks "${n%x2}" "$TSIM"
 		diff -rq -x log -x out -x '*.restart' -x '*.h5' alone ranks >difference

@@ -16,12 +16,14 @@ ranks() {
 	on_ranks "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 
+turn=0
 for scene in bed gas crossing outlet pushed burst looks; do
 	"$TSIM" -in "$scenes/in.$scene" -log log.1 -screen none -var out one >out 2>&1
 	report "$scene runs alone" $? out
 	rows log.1 >rows.1
-	for n in 2 3 4 7; do
-		ranks "$n" -in "$scenes/in.$scene" -log "log.$n" -screen none -var out many
+	for n in $(numbers_of 2 $((turn++))); do
+		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
+			ranks "${n%x2}" -in "$scenes/in.$scene" -log "log.$n" -screen none -var out many
 		report "$scene runs on $n ranks" $? out
 		rows "log.$n" >"rows.$n"
 		same "$scene: table on $n ranks" rows.1 "rows.$n"
