@@ -3,8 +3,9 @@
  * A = L U without pivoting, which is stable for matrices that are diagonally dominant by columns (the growth
  * of elements is at most 2; N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002),
  * theorem 9.9): those of diffusion and of upwind transport in conservative form. The cells are ordered by nested
- * dissection (A. George, SIAM J. Numer. Anal. 10 (1973) 345): for n x n cells about 8 n^2 log2(n) coefficients in
- * L and in U each, and 20 n^3 multiplications. The pattern of L is found from the elimination tree (J. W. H. Liu,
+ * dissection (A. George, SIAM J. Numer. Anal. 10 (1973) 345): for n x n cells about 4 n^2 log2(n) coefficients in
+ * L and in U each, and 15 n^3 multiplications (counted: 3.0 and 11 for n = 32, 4.0 and 16 for n = 128, 4.7 and 18 for
+ * n = 512). The pattern of L is found from the elimination tree (J. W. H. Liu,
  * SIAM J. Matrix Anal. Appl. 11 (1990) 134); rows of L and columns of U are computed together.
  *
  * The result depends only on the matrix: the factorization is not divided among threads. */

@@ -70,6 +70,14 @@ void ts_preconditioned_fini(struct ts_instance *self)
 	c->hypre = NULL;
 }
 
+/* The ranks that divide the grid of hypre; NULL: none. */
+static struct ts_world *ranks_of_hypre(const struct ts_preconditioned *c, const struct ts_poisson *problem)
+{
+	struct ts_world *world = problem->slabs ? problem->slabs->world : NULL;
+
+	return c->ranks && world && world->communicator && problem->grid->n[2] >= world->n ? world : NULL;
+}
+
 enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *sim,
 					 const struct ts_poisson *problem)
 {
@@ -85,7 +93,8 @@ enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *
 		status = ts_direct_make(&c->direct, problem, s->threads);
 	if (status == TS_OK && ((any && problem->weight[0]) || c->wanted == TS_PRECONDITION_MULTIGRID))
 		status = ts_multigrid_make(&c->multigrid, s, problem->slabs);
-	if (status == TS_OK && c->wanted == TS_PRECONDITION_HYPRE && !(c->hypre = ts_hypre_make(s)))
+	if (status == TS_OK && c->wanted == TS_PRECONDITION_HYPRE &&
+	    !(c->hypre = ts_hypre_make(s, ranks_of_hypre(c, problem))))
 		status = TS_NOMEM;
 	if (status != TS_OK)
 		return ts_nomem(&sim->error);
@@ -119,6 +128,7 @@ bool ts_preconditioned_divided(const struct ts_instance *self)
 	kind = choose_preconditioner(c);
 	return kind == TS_PRECONDITION_DIAGONAL ||
 	       (kind == TS_PRECONDITION_MULTIGRID && c->multigrid.divided) ||
+	       (kind == TS_PRECONDITION_HYPRE && ranks_of_hypre(c, c->iteration.problem)) ||
 	       (kind == TS_PRECONDITION_DIRECT && ts_direct_divided(&c->direct));
 }
 

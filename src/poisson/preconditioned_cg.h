@@ -25,6 +25,7 @@ struct ts_preconditioned {
 	struct ts_direct direct;
 	struct ts_multigrid multigrid;
 	struct ts_hypre *hypre;
+	bool ranks; /* ranks divide the grid of hypre, whose digits depend on their number then */
 };
 
 /* Estimated time of a solve in seconds with the fastest preconditioner. */

@@ -10,6 +10,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "this tsim was built without hypre: configure it with --with-hypre, or use "
 			       "pressure_style multigrid, its own");
+	if (((const struct ts_preconditioned *)self->state)->ranks && sim->world &&
+	    (!ts_hypre_divides() || !sim->world->communicator))
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "ranks"),
+			       "this tsim was built with a hypre without MPI, so that ranks cannot divide "
+			       "its "
+			       "grid: leave out `ranks yes`, with which each rank solves the whole grid, or "
+			       "use "
+			       "pressure_style multigrid, which they divide");
 	return TS_OK;
 }
 
@@ -45,6 +53,9 @@ static double cost(const struct ts_instance *self, const struct ts_poisson *prob
 
 static const struct ts_arg args[] = {
 	TS_ITERATION_ARGS(struct ts_preconditioned, iteration, "1e-8", "500"),
+	TS_BOOL("ranks", struct ts_preconditioned, ranks, .fallback = "no",
+		.help = "whether several ranks divide the grid of hypre; digits may depend on their number "
+			"then, within `tolerance`"),
 	TS_ARGS_END,
 };
 
@@ -62,8 +73,18 @@ const struct ts_pressure_style ts_pressure_hypre = {
 			  "cells\n"
 			  "along periodic axes must be a power of two. The solver uses one thread.\n"
 			  "With several ranks each solves the whole grid, and so gets the bits of one "
-			  "process.",
-		   .example = "pressure_style hypre",
+			  "process.\n"
+			  "With `ranks yes` they divide it: each has a slab of all levels, as of the rest of "
+			  "a "
+			  "step\n"
+			  "(doc/ranks.md), for grids too large for one. Pressures then agree with those of "
+			  "one "
+			  "rank to\n"
+			  "`tolerance`: hypre does not promise bits that do not depend on the number of "
+			  "ranks "
+			  "(in the\n"
+			  "grids of the tests they are the same).",
+		   .example = "pressure_style hypre\npressure_style hypre ranks yes tolerance 1e-10",
 		   .cite = "R. D. Falgout and J. E. Jones, Multigrid Methods VI (2000) 101",
 		   .args = args,
 		   .state_size = sizeof(struct ts_preconditioned),
@@ -72,6 +93,7 @@ const struct ts_pressure_style ts_pressure_hypre = {
 	.suits = suits,
 	.prepare = prepare,
 	.solve = ts_preconditioned_solve,
+	.divided = ts_preconditioned_divided,
 	.cost = cost,
 	.fields = 25,
 };

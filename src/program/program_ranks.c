@@ -390,6 +390,7 @@ static struct ts_world *join(struct mpi *m, MPI_Comm all)
 {
 	m->base.call = &functions;
 	m->mpi.Comm_dup(all, &m->all);
+	m->base.communicator = &m->all;
 	m->mpi.Comm_dup(all, &m->trouble);
 	m->mpi.Comm_rank(m->all, &m->base.rank);
 	m->mpi.Comm_size(m->all, &m->base.n);

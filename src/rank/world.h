@@ -44,6 +44,8 @@ struct ts_world_functions {
 struct ts_world {
 	int rank, n;
 	const struct ts_world_functions *call;
+	const void *
+		communicator; /* MPI_Comm of these ranks, for libraries that use MPI themselves; NULL: not MPI */
 	struct ts_world_counts {
 		int64_t messages, bytes; /* sent by this rank to another one */
 		int64_t agreements;	 /* operations in which all ranks wait for each other */

@@ -140,4 +140,14 @@ for scene in averages halves drum mill sieve waves sorted squeezed voxels recedi
 		report "$scene: the same HDF5 file on $n ranks" $?
 	done
 done
+# The solver of hypre divided among ranks: results to its tolerance.
+for n in ${hypre:+1 $numbers}; do
+	sed 's/pressure_style hypre/& ranks yes tolerance 1e-10/' in.hypre >in.hypre_ranks
+	on_ranks "$n" "$TSIM" -in in.hypre_ranks -var out y -log log -screen none >out 2>&1 </dev/null
+	report "hypre divided among $n ranks" $? out
+	rows log | tail -n 1 >"hypre.$n"
+	awk 'NR == FNR { for (k = 1; k <= NF; k++) alone[k] = $k; next }
+		{ for (k = 1; k <= NF; k++) differ += ($k - alone[k])^2 > (1e-6 * alone[k])^2 && k != NF - 1; seen = NF } END { exit differ || seen < 9 }' hypre.1 "hypre.$n"
+	report "hypre divided among $n ranks: the same to its tolerance" $? "hypre.$n"
+done
 finish

@@ -176,8 +176,8 @@ syn match tsimKeyword /\<run\>/
 syn keyword tsimKeyword  least_gap touching solid axisymmetric point span distance profile
 syn keyword tsimKeyword  potential anharmonic generic hertz/material dmt mass_velocity
 syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
-syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in bounds
-syn keyword tsimKeyword  angle0
+syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid ranks side in
+syn keyword tsimKeyword  bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
