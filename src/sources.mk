@@ -293,6 +293,8 @@ library_sources = \
 	src/contact/pair_spring_dashpot.c \
 	src/contact/substep_contacts.c \
 	src/contact/substep_contacts.h \
+	src/contact/substep_stages.c \
+	src/contact/substep_stages.h \
 	src/contact/virial.c \
 	src/contact/virial.h \
 	src/core/archive.c \

@@ -403,8 +403,21 @@ TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, con
 	return ts_batch_bits(b->touch, some);
 }
 
-/* Computes one block, which others follow (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list; b: of the blocks
- * before, too. */
+/* Begins and computes contacts of a block, which others follow (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list; b: of
+ * the blocks before, too. touching: which pairs still touch, for ts_batch_end_contacts. */
+TS_INLINE void ts_batch_compute_block(const struct ts_contact_task *task, const struct ts_particles *p,
+				      const struct ts_contact_list *list, const struct ts_granular_model *m,
+				      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block,
+				      struct ts_batch *b, uint64_t touching[TS_ACTIVE_BLOCK / TS_BATCH])
+{
+	ts_batch_prefetch_list(list, block + 2);
+	ts_batch_prefetch(list, m, block + 1);
+	ts_batch_begin_contacts(list, block);
+	for (size_t part = 0; part * TS_BATCH < block->touching; part++)
+		touching[part] = ts_batch_compute_part(task, p, list, m, parts, contacts, block, part, b);
+}
+
+/* The same, and ends contacts. */
 TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct ts_particles *p,
 			      const struct ts_contact_list *list, const struct ts_granular_model *m,
 			      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block,
@@ -412,11 +425,7 @@ TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct t
 {
 	uint64_t touching[TS_ACTIVE_BLOCK / TS_BATCH];
 
-	ts_batch_prefetch_list(list, block + 2);
-	ts_batch_prefetch(list, m, block + 1);
-	ts_batch_begin_contacts(list, block);
-	for (size_t part = 0; part * TS_BATCH < block->touching; part++)
-		touching[part] = ts_batch_compute_part(task, p, list, m, parts, contacts, block, part, b);
+	ts_batch_compute_block(task, p, list, m, parts, contacts, block, b, touching);
 	ts_batch_end_contacts(list, block, touching, task->keep);
 }
 

@@ -62,5 +62,7 @@ ts_range_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic)
 
 	if (own && !generic)
 		return own;
-	return all_models_staged(pair) && !generic ? ts_contact_share_staged : ts_contact_share_generic;
+	if (generic || !all_models_staged(pair))
+		return ts_contact_share_generic;
+	return pair->model.located ? ts_contact_share_located : ts_contact_share_staged;
 }

@@ -7,4 +7,7 @@
 /* Computes the blocks from .. to-1, whose models have stages; see ts_contact_share_generic. */
 void ts_contact_share_staged(void *task, size_t from, size_t to);
 
+/* The same for models with sub-step detection. */
+void ts_contact_share_located(void *task, size_t from, size_t to);
+
 #endif

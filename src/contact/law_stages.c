@@ -3,6 +3,8 @@ TS_UNROLLED
 
 #include "contact/law_stages.h"
 
+#include "contact/substep_stages.h"
+
 #include "base/banned.h"
 
 /* Constants and columns of one stage. */
@@ -366,21 +368,26 @@ static stage_fn *const twistings[] = {
 
 bool ts_stages_for(const struct ts_granular_model *m)
 {
-	return normals[m->normal] && !m->located && !m->fades && !m->viscous && !m->multi &&
-	       !ts_cohesion_bridges(m);
+	return normals[m->normal] && !m->fades && !m->viscous && !m->multi && !ts_cohesion_bridges(m);
 }
 
 void ts_stages_compute(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
 		       const struct ts_granular_pair *law, double dt)
 {
+	struct ts_substep_columns located; /* only if m->located */
+
 	if (solvers[m->normal])
 		solvers[m->normal](s, n, law);
 	normals[m->normal](s, n, m, law, dt);
 	if (ts_normal_sticks(m))
 		mark_met(s, n, s->memory[ts_granular_met_at(m)]);
+	if (m->located)
+		ts_substep_stage(s, n, m, dt, &located);
 	if (m->cohesion)
 		cohesions[m->cohesion][s->wall](s, n, m, law, dt);
 	tangentials[m->tangential](s, n, m, law, dt);
+	if (m->located && m->tangential != TS_TANGENTIAL_OFF)
+		ts_substep_stage_slip_targets(s, n, m, dt, &located);
 	rollings[m->rolling][s->wall][m->torsion](s, n, m, law, dt);
 	if (m->twisting)
 		twistings[m->twisting](s, n, m, law, dt);

@@ -14,9 +14,10 @@ struct ts_stages {
 	/* inputs */
 	const double *radius[2], *mass[2]; /* of i and j; at a wall [1] is not read */
 	double *const *memory;		   /* history columns, which the stages advance */
-	/* 0: does not touch, the history stays; else all bits are set */
-	const long long *touch;
-	bool wall;
+	/* 0: does not touch, the history stays; else all bits are set. With sub-step detection those of contacts that
+	 * begin or end are cleared if `postpones`: they are to be computed later, with others. */
+	long long *touch;
+	bool wall, postpones;
 
 	/* geometry and kinematics of the contacts: ts_stages_store_touch */
 	double n[3][TS_BATCH], distance[TS_BATCH], overlap[TS_BATCH], r_eff[TS_BATCH], m_eff[TS_BATCH];
@@ -30,8 +31,8 @@ struct ts_stages {
 	double tangential[3][TS_BATCH], rolling[3][TS_BATCH], twist[TS_BATCH];
 } __attribute__((aligned(64)));
 
-/* Whether all laws of the model have stages: not so with sub-step detection (`located`), restitution by the
- * Stokes number, `surface multicontact` or liquid bridges. */
+/* Whether all laws of the model have stages: not so with restitution by the Stokes number, `surface multicontact` or
+ * liquid bridges. */
 bool ts_stages_for(const struct ts_granular_model *m);
 
 /* Computes contacts 0 .. n-1, n a multiple of the vector length; dt > 0. */

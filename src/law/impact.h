@@ -26,15 +26,15 @@ struct ts_impact {
 	bool no_tension;		/* the contact ends at zero force, else at zero overlap */
 };
 
-static inline enum ts_impact_damping ts_impact_damping_of(const struct ts_granular_model *m)
+TS_INLINE enum ts_impact_damping ts_impact_damping_of(const struct ts_granular_model *m)
 {
 	if (m->normal != TS_NORMAL_HERTZ_STIFFNESS)
 		return TS_IMPACT_FOURTH_ROOT;
 	return m->absolute_damping ? TS_IMPACT_CONSTANT : TS_IMPACT_SQUARE_ROOT;
 }
 
-static inline struct ts_impact ts_impact_of(const struct ts_granular_model *m, const struct ts_touch *t,
-					    const struct ts_normal *n)
+TS_INLINE struct ts_impact ts_impact_of(const struct ts_granular_model *m, const struct ts_touch *t,
+					const struct ts_normal *n)
 {
 	return (struct ts_impact){ .mass = t->m_eff,
 				   .k = n->kn,
@@ -46,22 +46,22 @@ static inline struct ts_impact ts_impact_of(const struct ts_granular_model *m, c
 				   .no_tension = m->no_tension };
 }
 
-static inline double ts_impact_force(const struct ts_impact *o, double q, double v)
+/* Free of branches, as are all functions that contacts in vectors call (contact/substep_stages.c). */
+TS_INLINE double ts_impact_force(const struct ts_impact *o, double q, double v)
 {
-	double s, c = o->c;
+	double s, c, force;
 
 	if (!o->hertz) /* also for q < 0: the search for the end needs a smooth force */
 		return o->k * q + o->c * v;
-	if (!(q > 0))
-		return 0;
 	s = sqrt(q / o->at);
-	if (o->damping != TS_IMPACT_CONSTANT)
-		c *= o->damping == TS_IMPACT_SQUARE_ROOT ? s : sqrt(s);
-	return o->k * s * q + c * v;
+	c = o->damping == TS_IMPACT_CONSTANT ? o->c
+					     : o->c * (o->damping == TS_IMPACT_SQUARE_ROOT ? s : sqrt(s));
+	force = o->k * s * q + c * v;
+	return q > 0 ? force : 0;
 }
 
 /* One Runge-Kutta step over the time s. */
-static inline void ts_impact_rk4_step(const struct ts_impact *o, double s, double *q, double *v)
+TS_INLINE void ts_impact_rk4_step(const struct ts_impact *o, double s, double *q, double *v)
 {
 	static const double node[4] = { 0, 0.5, 0.5, 1 }, weight[4] = { 1, 2, 2, 1 };
 	double dq = 0, dv = 0, q1 = 0, v1 = 0;
@@ -78,7 +78,7 @@ static inline void ts_impact_rk4_step(const struct ts_impact *o, double s, doubl
 	*v += s / 6 * v1;
 }
 
-enum { TS_IMPACT_PARTS = 8 };
+enum { TS_IMPACT_PARTS = 8, TS_IMPACT_SEARCHES = 12 };
 
 static inline void ts_impact_integrate(const struct ts_impact *o, double time, double *q, double *v)
 {
@@ -87,9 +87,11 @@ static inline void ts_impact_integrate(const struct ts_impact *o, double time, d
 }
 
 /* Criterion of the end: > 0 while the contact lasts. */
-static inline double ts_impact_end_criterion(const struct ts_impact *o, double q, double v)
+TS_INLINE double ts_impact_end_criterion(const struct ts_impact *o, double q, double v)
 {
-	return o->no_tension ? ts_impact_force(o, q, v) : q;
+	double force = ts_impact_force(o, q, v);
+
+	return o->no_tension ? force : q;
 }
 
 /* Time of the end of a contact within an interval at whose end it has ended: regula falsi (Illinois
@@ -101,7 +103,7 @@ static inline double ts_impact_find_end(const struct ts_impact *o, double part, 
 
 	ts_impact_rk4_step(o, part, &q1, &v1);
 	g = ts_impact_end_criterion(o, q1, v1);
-	for (int k = 0; k < 12 && f > 0; k++) {
+	for (int k = 0; k < TS_IMPACT_SEARCHES && f > 0; k++) {
 		double held;
 
 		time = lo + (hi - lo) * f / (f - g);

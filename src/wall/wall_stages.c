@@ -52,6 +52,7 @@ void ts_wall_staged(struct ts_wall_batch *b, size_t n, const struct ts_granular_
 	s.memory = memory;
 	s.touch = touch;
 	s.wall = true;
+	s.postpones = false;
 	touches[m->full_arms][m->full_slip](b, &s, n);
 	ts_stages_compute(&s, n, m, law, dt);
 	(m->twisting ? finish_twist : finish)(b, &s, n);

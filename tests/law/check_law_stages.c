@@ -65,6 +65,13 @@ static void draw_memory(const struct ts_granular_model *m, double memory[])
 		m->rolling == TS_ROLLING_SDS ? memory[ts_granular_depth_at(m)] : draw(0, 0.1);
 	if (ts_tangential_rescales(m))
 		memory[ts_granular_area_at(m)] = draw(0, 0.2);
+	if (m->located) {
+		double *own = memory + ts_granular_located_at(m);
+
+		own[TS_LOCATED_STAGE] = floor(draw(TS_LOCATED_NEW, TS_LOCATED_LEFT + 1));
+		own[TS_LOCATED_AIM] = draw(-1, 1);
+		own[TS_LOCATED_AHEAD] = own[TS_LOCATED_STAGE] == TS_LOCATED_TOUCHES ? draw(-1e-4, 1e-4) : 0;
+	}
 }
 
 static void same(const char *what, int k, const double *one, const double *column[], int n,
@@ -80,7 +87,13 @@ static void same(const char *what, int k, const double *one, const double *colum
 
 /* ---- particles */
 
-static void draw_ends(struct ts_contact_inputs *e, bool touches)
+/* Distance by the sum of the radii, or by the radius at a wall; with sub-step detection many contacts begin or end. */
+static double draw_distance(const struct ts_granular_model *m)
+{
+	return m->located ? draw(0.997, 0.99999) : draw(0.9, 0.999);
+}
+
+static void draw_ends(const struct ts_granular_model *m, struct ts_contact_inputs *e, bool touches)
 {
 	double length;
 
@@ -93,7 +106,7 @@ static void draw_ends(struct ts_contact_inputs *e, bool touches)
 	e->imass = 1 / e->mass[0] + 1 / e->mass[1];
 	draw_vector(1, e->v);
 	draw_vector(1, e->d);
-	length = (e->radius[0] + e->radius[1]) * (touches ? draw(0.9, 0.999) : draw(1.001, 1.1)) /
+	length = (e->radius[0] + e->radius[1]) * (touches ? draw_distance(m) : draw(1.001, 1.1)) /
 		 ts_norm(e->d);
 	ts_scale(length, e->d, e->d);
 	ts_contact_inputs_complete(e);
@@ -113,7 +126,7 @@ static void draw_pairs(struct pairs *p, const struct ts_granular_model *m)
 		bool touches = k % 5 != 3;
 		struct ts_contact_inputs e;
 
-		draw_ends(&e, touches);
+		draw_ends(m, &e, touches);
 		ts_contact_inputs_touch(&e, m, &p->touch[k]);
 		ts_stages_store_touch(&p->s, (size_t)k, m, &p->touch[k]);
 		p->marks[k] = -(long long)touches;
@@ -133,7 +146,7 @@ static void draw_pairs(struct pairs *p, const struct ts_granular_model *m)
 		p->at[c] = p->column[c];
 	p->s.memory = p->at;
 	p->s.touch = p->marks;
-	p->s.wall = false;
+	p->s.wall = p->s.postpones = false;
 }
 
 static void check_pairs(const struct ts_granular_model *m)
@@ -168,12 +181,13 @@ static void check_pairs(const struct ts_granular_model *m)
 
 /* ---- walls */
 
-static void draw_wall(struct ts_wall_ends *e, struct ts_wall_batch *b, int k)
+static void draw_wall(const struct ts_granular_model *m, struct ts_wall_ends *e, struct ts_wall_batch *b,
+		      int k)
 {
 	*e = (struct ts_wall_ends){ .radius = draw(0.3, 0.7),
 				    .mass = draw(0.5, 2),
 				    .curvature = k % 3 ? 0 : draw(-1, 1) };
-	e->distance = e->radius * draw(0.9, 0.999);
+	e->distance = e->radius * draw_distance(m);
 	draw_vector(1, e->n);
 	ts_scale(1 / ts_norm(e->n), e->n, e->n);
 	draw_vector(1, e->v);
@@ -197,7 +211,7 @@ static void check_walls(const struct ts_granular_model *m)
 	struct ts_wall_ends e[N];
 
 	for (int k = 0; k < N; k++) {
-		draw_wall(&e[k], &b, k);
+		draw_wall(m, &e[k], &b, k);
 		draw_memory(m, memory[k]);
 		for (int c = 0; c < TS_GRANULAR_MEMORY; c++)
 			b.memory[c][k] = memory[k][c];
@@ -280,13 +294,26 @@ START_TEST(all_flags)
 }
 END_TEST
 
+/* Sub-step detection: contacts of each stage, with overlaps of which some end or have just begun. */
+START_TEST(located)
+{
+	struct ts_granular_model m = { .normal = _i, .located = true };
+
+	for (int bits = 0; bits < 1024; bits++) {
+		flags(&m, bits);
+		m.tangential = bits % 5 ? TS_TANGENTIAL_HISTORY : bits % TS_NTANGENTIAL;
+		m.rolling = bits % 3 ? TS_ROLLING_OFF : TS_ROLLING_CDT;
+		m.cohesion = bits % 7 ? TS_COHESION_OFF : TS_COHESION_SJKR;
+		check(&m);
+	}
+}
+END_TEST
+
 START_TEST(which_have_none)
 {
 	struct ts_granular_model m = { .normal = TS_NORMAL_HERTZ };
 
 	ck_assert(ts_stages_for(&m));
-	m.located = true;
-	ck_assert(!ts_stages_for(&m));
 	m = (struct ts_granular_model){ .normal = TS_NORMAL_HOOKE, .viscous = true };
 	ck_assert(!ts_stages_for(&m));
 }
@@ -302,6 +329,7 @@ int main(void)
 	tcase_set_timeout(tests, 60);
 	tcase_add_loop_test(tests, all_combinations, TS_NORMAL_SPRING, TS_NNORMAL);
 	tcase_add_loop_test(tests, all_flags, TS_NORMAL_SPRING, TS_NNORMAL);
+	tcase_add_loop_test(tests, located, TS_NORMAL_SPRING, TS_NORMAL_HOOKE_HYSTERESIS);
 	tcase_add_test(tests, which_have_none);
 	suite_add_tcase(suite, tests);
 	runner = srunner_create(suite);
