@@ -410,6 +410,11 @@ FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode)
 	return file;
 }
 
+FILE *ts_files_open_along(struct ts_files *files, const char *path)
+{
+	return ts_peers(files) ? ts_peers_open_along(files->peers, path) : ts_files_open(files, path, "r");
+}
+
 bool ts_files_stopped(const struct ts_files *files)
 {
 	return files && files->stop && *files->stop;

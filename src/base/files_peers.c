@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "base/alloc.h"
 #include "base/hash.h"
 
 #include "base/banned.h"
@@ -120,6 +121,102 @@ FILE *ts_peers_open(const struct ts_files_peers *peers, const char *path, const 
 	file = descriptor < 0 ? NULL : fdopen(descriptor, "r");
 	if (descriptor >= 0 && !file)
 		close(descriptor);
+	return file;
+}
+
+/* ---- files that are read along: where all are, and the piece that the first one has read last */
+
+enum { ALONG = 1 << 20 };
+
+struct along {
+	const struct ts_files_peers *peers;
+	int descriptor; /* of the first one */
+	bool seekable;
+	off_t at; /* of the byte behind the piece */
+	size_t n, used;
+	char piece[ALONG];
+};
+
+static int read_next(struct along *a)
+{
+	ssize_t n;
+
+	do
+		n = a->seekable ? pread(a->descriptor, a->piece, ALONG, a->at)
+				: read(a->descriptor, a->piece, ALONG);
+	while (n < 0 && errno == EINTR);
+	return (int)n;
+}
+
+static ssize_t along_read(void *cookie, char *to, size_t size)
+{
+	struct along *a = cookie;
+	size_t n;
+
+	if (a->used == a->n) {
+		int got = ts_peers_agree(a->peers, "read along", a->peers->first ? read_next(a) : 0);
+
+		if (got <= 0)
+			return got;
+		a->peers->spread(a->peers->data, a->piece, (size_t)got);
+		a->n = (size_t)got;
+		a->used = 0;
+		a->at += got;
+	}
+	n = a->n - a->used < size ? a->n - a->used : size;
+	memcpy(to, a->piece + a->used, n);
+	a->used += n;
+	return (ssize_t)n;
+}
+
+static int along_seek(void *cookie, off64_t *offset, int whence)
+{
+	struct along *a = cookie;
+
+	if (!a->seekable || whence == SEEK_END) {
+		errno = ESPIPE;
+		return -1;
+	}
+	if (whence == SEEK_CUR)
+		*offset += a->at - (off_t)(a->n - a->used);
+	a->at = *offset;
+	a->n = a->used = 0;
+	return 0;
+}
+
+static int along_close(void *cookie)
+{
+	struct along *a = cookie;
+	int result = a->descriptor >= 0 ? close(a->descriptor) : 0;
+
+	ts_free(a);
+	return result;
+}
+
+FILE *ts_peers_open_along(const struct ts_files_peers *peers, const char *path)
+{
+	static const cookie_io_functions_t functions = { .read = along_read,
+							 .seek = along_seek,
+							 .close = along_close };
+	int from = peers->first ? open(path, O_RDONLY | O_CLOEXEC) : -1, seekable;
+	struct along *a;
+	FILE *file;
+
+	if (ts_peers_agree(peers, "open to read along", from) < 0)
+		return NULL;
+	seekable = ts_peers_agree(peers, "seek", peers->first && lseek(from, 0, SEEK_CUR) == 0);
+	a = ts_alloc(1, sizeof *a);
+	file = a ? fopencookie(a, "r", functions) : NULL;
+	if (!file) {
+		ts_free(a);
+		if (from >= 0)
+			close(from);
+		errno = ENOMEM;
+		return NULL;
+	}
+	a->peers = peers;
+	a->descriptor = from;
+	a->seekable = seekable == 1;
 	return file;
 }
 

@@ -17,6 +17,8 @@ int ts_peers_agree_on(const struct ts_files_peers *peers, const char *called, in
 		      size_t n);
 /* The first one opens the file. The others get a copy of its bytes, or what they write is discarded. */
 FILE *ts_peers_open(const struct ts_files_peers *peers, const char *path, const char *mode);
+/* A file to read, without a copy: the first one passes on what all read at a time. */
+FILE *ts_peers_open_along(const struct ts_files_peers *peers, const char *path);
 /* Of a file to read; -1. */
 int ts_peers_descriptor(const struct ts_files_peers *peers, const char *path);
 /* All that the first one reads from the descriptor; closes it. The others pass -1. */

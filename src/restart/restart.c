@@ -221,11 +221,13 @@ enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct
 	return status;
 }
 
-/* ---- reading: the whole file is checked before anything is restored */
+/* ---- reading: the whole file is checked before anything is restored. A file is read a second time then, section by section; the
+ * sections of a pipe are all kept until then. */
 
 struct section {
 	struct section_head head;
 	char *name[NNAMES];   /* style, id, group */
+	off_t at;	      /* of its compressed bytes */
 	unsigned char *plain; /* uncompressed bytes; freed once they are restored */
 };
 
@@ -235,6 +237,7 @@ struct reader {
 	const struct ts_place *where;
 	struct ts_arena arena;
 	FILE *file;
+	bool twice;	      /* it is a file */
 	uint64_t left;	      /* a section cannot have more bytes */
 	uint32_t sum;	      /* crc32 of all bytes read so far */
 	unsigned char *piece; /* of a section */
@@ -318,7 +321,7 @@ static enum ts_status read_names(struct reader *r, struct section *s)
 	return TS_OK;
 }
 
-/* Reads the compressed bytes to their end, also if they are damaged: their checksum tells first. */
+/* Reads the compressed bytes to their end, also if they are damaged: their checksum tells first. u NULL: only for this. */
 static enum ts_status unpack(struct reader *r, const struct section *s, struct ts_unpack *u, uint32_t *sum)
 {
 	size_t left = (size_t)s->head.packed, n;
@@ -327,33 +330,47 @@ static enum ts_status unpack(struct reader *r, const struct section *s, struct t
 		n = left < PIECE ? left : PIECE;
 		TS_TRY(read_raw(r, r->piece, n));
 		*sum = ts_crc32(*sum, r->piece, n);
-		ts_unpack_piece(u, r->piece, n);
+		if (u)
+			ts_unpack_piece(u, r->piece, n);
 	}
 	return TS_OK;
 }
 
-static enum ts_status decompress(struct reader *r, struct section *s)
+static enum ts_status check_sum(struct reader *r, const struct section *s, uint32_t sum)
 {
-	uint32_t sum = 0;
+	if (sum != s->head.sum)
+		return refuse_file(r, "is damaged: the checksum of a section is wrong");
+	return TS_OK;
+}
+
+static enum ts_status decompress(struct reader *r, struct section *s, uint32_t *sum)
+{
 	enum ts_status status;
 	struct ts_unpack *u;
 	bool whole;
+
+	s->plain = ts_alloc((size_t)s->head.plain, 1);
+	u = s->plain ? ts_unpack_begin(s->plain, (size_t)s->head.plain) : NULL;
+	if (!u)
+		return ts_nomem(&r->sim->error);
+	status = unpack(r, s, u, sum);
+	whole = ts_unpack_end(u);
+	TS_TRY(status);
+	TS_TRY(check_sum(r, s, *sum));
+	return whole ? TS_OK : refuse_file(r, "is damaged: a section cannot be expanded");
+}
+
+static enum ts_status check_section(struct reader *r, struct section *s)
+{
+	uint32_t sum = 0;
 
 	if (s->head.packed > r->left)
 		return refuse_file(r, "is cut off");
 	if (s->head.plain / LARGEST_RATIO > s->head.packed)
 		return refuse_file(r, "is damaged: a section has an impossible size");
-	s->plain = ts_alloc((size_t)s->head.plain, 1);
-	u = s->plain ? ts_unpack_begin(s->plain, (size_t)s->head.plain) : NULL;
-	if (!u)
-		return ts_nomem(&r->sim->error);
-	status = unpack(r, s, u, &sum);
-	whole = ts_unpack_end(u);
-	TS_TRY(status);
-	if (sum != s->head.sum)
-		return refuse_file(r, "is damaged: the checksum of a section is wrong");
-	if (!whole)
-		return refuse_file(r, "is damaged: a section cannot be expanded");
+	s->at = r->twice ? ftello(r->file) : 0;
+	TS_TRY(r->twice ? unpack(r, s, NULL, &sum) : decompress(r, s, &sum));
+	TS_TRY(check_sum(r, s, sum));
 	r->sum = (uint32_t)crc32_combine(r->sum, sum, (z_off_t)s->head.packed);
 	return TS_OK;
 }
@@ -388,8 +405,20 @@ static enum ts_status read_sections(struct reader *r)
 		s = &r->section[r->nsections++];
 		s->head = head;
 		TS_TRY(read_names(r, s));
-		TS_TRY(decompress(r, s));
+		TS_TRY(check_section(r, s));
 	}
+}
+
+/* The bytes of a section of a file that has been checked. */
+static enum ts_status read_again(struct reader *r, struct section *s)
+{
+	uint32_t sum = 0;
+
+	if (s->plain)
+		return TS_OK;
+	if (fseeko(r->file, s->at, SEEK_SET) != 0)
+		return read_failed(r);
+	return decompress(r, s, &sum);
 }
 
 /* Restores run state, instance, or (both NULL) variables of the script from a section. */
@@ -420,6 +449,7 @@ static enum ts_status restore_clock(struct reader *r)
 
 	if (!r->nsections || r->section[0].head.kind != CLOCK_SECTION)
 		return refuse_file(r, "is damaged: it does not begin with the clock");
+	TS_TRY(read_again(r, &r->section[0]));
 	TS_TRY(restore_from(r, &r->section[0], &s, NULL));
 	if (s.units < 0 || s.units > TS_UNITS_MICRO || (s.dimension != 2 && s.dimension != 3))
 		return refuse_file(r, "is damaged: unknown units or dimension");
@@ -475,6 +505,7 @@ static enum ts_status restore_all(struct reader *r)
 {
 	TS_TRY(restore_clock(r));
 	for (size_t k = 1; k < r->nsections; k++) {
+		TS_TRY(read_again(r, &r->section[k]));
 		TS_TRY(restore_section(r, &r->section[k]));
 		ts_free(r->section[k].plain);
 		r->section[k].plain = NULL;
@@ -494,26 +525,33 @@ static enum ts_status read_stream(struct reader *r)
 {
 	struct stat info;
 
-	r->left = UINT64_MAX; /* what sections of a pipe have cannot be known */
-	if (fileno(r->file) >= 0 && fstat(fileno(r->file), &info) == 0 && S_ISREG(info.st_mode))
-		r->left = (uint64_t)info.st_size;
+	r->twice = ts_files_stat(&r->sim->files, r->path, &info) == 0 && S_ISREG(info.st_mode) &&
+		   fseeko(r->file, 0, SEEK_SET) == 0;
+	r->left = r->twice ? (uint64_t)info.st_size
+			   : UINT64_MAX; /* what sections of a pipe have cannot be known */
 	TS_TRY(check_start(r));
 	return read_sections(r);
 }
 
 static enum ts_status read_file(struct reader *r)
 {
-	enum ts_status status;
-
-	r->file = ts_files_open(&r->sim->files, r->path, "r");
+	r->file = ts_files_open_along(&r->sim->files, r->path);
 	if (!r->file)
 		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s", r->path,
 			       ts_files_why(&r->sim->files));
 	r->piece = ts_alloc(PIECE, 1);
-	status = r->piece ? read_stream(r) : ts_nomem(&r->sim->error);
+	return r->piece ? read_stream(r) : ts_nomem(&r->sim->error);
+}
+
+static void release(struct reader *r)
+{
+	if (r->file)
+		fclose(r->file);
+	for (size_t k = 0; k < r->nsections; k++)
+		ts_free(r->section[k].plain);
+	ts_arena_release(&r->arena);
+	ts_free(r->section);
 	ts_free(r->piece);
-	fclose(r->file);
-	return status;
 }
 
 enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct ts_place *where)
@@ -527,9 +565,6 @@ enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct 
 	status = read_file(&r);
 	if (status == TS_OK && (status = restore_all(&r)) != TS_OK)
 		discard_state(sim);
-	for (size_t k = 0; k < r.nsections; k++)
-		ts_free(r.section[k].plain);
-	ts_arena_release(&r.arena);
-	ts_free(r.section);
+	release(&r);
 	return status;
 }

@@ -97,6 +97,25 @@ rm -f one.*
 { cat in.start; printf 'run 10\nclear\n'; sed 's/^dump/#/' in.start; printf 'run 10\nrun 10\n'; } >in.cleared
 same_on cleared 2
 
+# All ranks read a restart file in pieces: one that is cut off or changed is refused as by one rank, and a pipe is read once.
+printf 'units si\nread_restart ${file}\nprint "$(ke) $(atoms)"\n' >in.pieces
+head -c 30000 two.restart >cut.restart
+cp two.restart changed.restart
+printf 'zzzz' | dd of=changed.restart bs=1 seek=60000 conv=notrunc 2>dd.err
+"$TSIM" -in in.pieces -log none -var file two.restart 2>&1 | tail -1 >whole.told
+for file in cut changed; do
+	"$TSIM" -in in.pieces -log none -var file "$file.restart" 2>&1 | grep '^in.pieces.*error' >one.told
+	on_ranks 2 "$TSIM" -in in.pieces -log none -var file "$file.restart" 2>&1 </dev/null | grep '^in.pieces.*error' >many.told
+	[ -s one.told ] && cmp one.told many.told
+	report "two ranks refuse a $file restart file as one does" $? many.told
+done
+mkfifo pipe.restart
+cat two.restart >pipe.restart &
+on_ranks 2 "$TSIM" -in in.pieces -log none -var file pipe.restart </dev/null 2>&1 | tail -1 >many.told
+wait
+same 'two ranks read a restart file from a pipe' whole.told many.told
+rm -f one.* many.*
+
 # Errors behind a run, and a run that is the last line.
 { cat in.start; printf 'run 10\nrun 10 start 99\n'; } >in.wrong
 on_ranks 2 "$TSIM" -in in.wrong -log none -var out many >out 2>&1 </dev/null
