@@ -185,18 +185,15 @@ static enum ts_status add_column(const struct ts_view_data *v, struct ts_sheets 
 		return ts_nomem(&v->sim->error);
 	memcpy(column, t->column, t->columns * sizeof *column);
 	column[t->columns] = (struct ts_sheet_column){ .name = ts_arena_strdup(&sheets->arena, of->text) };
-	column[t->columns].value = ts_alloc(t->rows + 1, sizeof(double)); /* freed with the table */
-	if (!column[t->columns].name || !column[t->columns].value)
+	if (!column[t->columns].name || !(column[t->columns].value = ts_alloc(t->rows + 1, sizeof(double))))
 		return ts_nomem(&v->sim->error);
 	for (size_t k = 0; k < of->n; k++) {
 		snprintf(name[k], sizeof name[k], "column_%zu", of->column[k] + 1);
 		rows[k] = (struct ts_script_rows){ name[k], t->column[of->column[k]].value };
 	}
 	t->column = column;
-	if (t->rows)
-		TS_TRY(evaluate(v, &where, rows, of->n, t->rows, column[t->columns].value));
-	t->columns++;
-	return TS_OK;
+	t->columns++; /* from now on the values are freed with the table */
+	return t->rows ? evaluate(v, &where, rows, of->n, t->rows, column[t->columns - 1].value) : TS_OK;
 }
 
 enum ts_status ts_view_add_formula(const struct ts_view_data *v, struct ts_view_file *f, const char *text,
