@@ -177,6 +177,7 @@ shell_tests = \
 	tests/material/materials.sh \
 	tests/mesh/cell_regions.sh \
 	tests/mesh/free_mesh.sh \
+	tests/mesh/long_meshes.sh \
 	tests/mesh/massflow.sh \
 	tests/mesh/mesh_dumps.sh \
 	tests/mesh/mesh_primitive.sh \

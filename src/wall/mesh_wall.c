@@ -74,10 +74,14 @@ static enum ts_status add_contact(struct tsim *sim, struct ts_wall *w, struct ts
 	const struct ts_mesh *mesh = &mw->mesh[f->mesh].surface->mesh;
 	const struct ts_particles *p = sim->particles;
 	size_t k = w->contacts.n;
-	int code = 0;
+	int code = 0, far = 0;
 
-	for (int d = 0; d < 3; d++)
-		code = 3 * code + modulo3(p->image[f->i][d] % 3 + f->shift[d]);
+	for (int d = 0; d < 3; d++) {
+		int image = p->image[f->i][d] + f->shift[d], rest = modulo3(image);
+
+		code = 3 * code + rest;
+		far = (far << TS_MESH_WALL_BITS) + ((image - rest) / 3 & ((1 << TS_MESH_WALL_BITS) - 1));
+	}
 	if (TS_GROW(mw->near, mw->near_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	if ((ts_wall_long_ranged(w, sim) || w->look > 0) &&
@@ -94,8 +98,8 @@ static enum ts_status add_contact(struct tsim *sim, struct ts_wall *w, struct ts
 	};
 	TS_TRY(add_neighbor_triangle(sim, mw, f->i, k));
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
-				    ((int)mw->mesh[f->mesh].first + f->triangle) * TS_MESH_WALL_IMAGES +
-					    code);
+				    ((int)mw->mesh[f->mesh].first + f->triangle) * TS_MESH_WALL_IMAGES + code,
+				    far);
 }
 
 /* The range of periodic images of a mesh, in box lengths, that come within r of x in dimension `dim`. */
@@ -308,6 +312,31 @@ double ts_mesh_wall_max_approach(const struct tsim *sim, struct ts_mesh_wall *mw
 	return most;
 }
 
+/* Fails if images of a triangle would have the same key. */
+static enum ts_status check_length(struct tsim *sim, const struct ts_mesh_part_of_wall *part)
+{
+	const struct ts_mesh *m = &part->surface->mesh;
+
+	for (int d = 0; d < 3; d++) {
+		double most = TS_MESH_WALL_LONGEST * ts_box_length(&sim->domain->box, d);
+
+		if (!ts_box_periodic(&sim->domain->box, d) ||
+		    !(part->tree.hi[1][d] - part->tree.lo[1][d] > most))
+			continue;
+		for (size_t t = 0; t < m->n; t++) {
+			const double(*x)[3] = (const double(*)[3])m->x[t];
+
+			if (fmax(fmax(x[0][d], x[1][d]), x[2][d]) - fmin(fmin(x[0][d], x[1][d]), x[2][d]) >
+			    most)
+				return ts_fail(&sim->error, TS_RANGE, &part->by->where,
+					       "triangle %zu of mesh %s is longer than %d periodic boxes "
+					       "along %c",
+					       t + 1, part->by->id, TS_MESH_WALL_LONGEST, "xyz"[d]);
+		}
+	}
+	return TS_OK;
+}
+
 static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
@@ -320,6 +349,7 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 
 	for (size_t k = 0; k < mw->nmeshes; k++) {
 		TS_TRY(update_tree(sim, &mw->mesh[k]));
+		TS_TRY(check_length(sim, &mw->mesh[k]));
 		mw->mesh[k].checked = mw->mesh[k].surface->travelled;
 	}
 	mw->nneighbors = 0;

@@ -68,10 +68,12 @@ struct ts_mesh_wall {
 
 /* History values of a contact with a mesh besides those of its law: 1 if the contact exists, else 0. */
 enum { TS_MESH_MEMORY = 1 };
-/* The key of a contact contains the periodic image of the triangle relative to the unwrapped position of the particle,
- * modulo three box lengths in each dimension: 27 numbers for each triangle. So it stays the same when the particle is
- * wrapped. */
-enum { TS_MESH_WALL_IMAGES = 27 };
+/* The key of a contact contains the periodic image of the triangle relative to the unwrapped position of the particle, so
+ * that it stays the same when the particle is wrapped: modulo three box lengths in each dimension the number of the
+ * element, 27 for each triangle, and of a third of it ten bits in each dimension the number of the image. So images that
+ * a particle may touch at the same time, or one after the other in a step, are told apart if no triangle is longer than
+ * TS_MESH_WALL_LONGEST box lengths; 72 are left for the particle and its way. */
+enum { TS_MESH_WALL_IMAGES = 27, TS_MESH_WALL_BITS = 10, TS_MESH_WALL_LONGEST = 3000 };
 
 extern const struct ts_wall_shape ts_mesh_wall_shape;
 

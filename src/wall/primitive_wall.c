@@ -386,7 +386,7 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 		for (int k = 0; k < w->n; k++)
 			if (primitive_distance(&at[k], p->xhold[i]) < reach &&
 			    ts_wall_interacts(self, sim, i, !isnan(w->temperature)))
-				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
+				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k, 0));
 	}
 	return TS_OK;
 }

@@ -293,7 +293,7 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 		    !(all || is_near(w, sim, wall, i, p->xhold[i], further)))
 			continue;
 		for (int k = 0; k < w->faces; k++)
-			TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
+			TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k, 0));
 		if (TS_GROW(w->clear, w->clear_capacity, listed + 1) != TS_OK)
 			return ts_nomem(&sim->error);
 		w->clear[listed++] = clear_distance(w, sim, wall, i);

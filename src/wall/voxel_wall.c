@@ -173,7 +173,7 @@ static enum ts_status add_neighbor(struct tsim *sim, struct ts_wall *w, struct t
 	vw->neighbor[vw->nneighbors++] =
 		(struct ts_voxel_neighbor){ .i = i, .first = first, .slots = slots, .travel = INFINITY };
 	for (size_t k = 0; k < slots; k++)
-		TS_TRY(ts_wall_contacts_add(sim, &w->contacts, i, (int)k));
+		TS_TRY(ts_wall_contacts_add(sim, &w->contacts, i, (int)k, 0));
 	return TS_OK;
 }
 

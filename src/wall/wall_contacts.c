@@ -15,7 +15,8 @@ void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *
 	*c = (struct ts_wall_contacts){ .width = width, .want_reports = rebuild->old.want_reports };
 }
 
-enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element)
+enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element,
+				    int image)
 {
 	size_t n = c->n + 1;
 
@@ -29,6 +30,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	c->row[c->n] = (int32_t)i;
 	c->key[c->n][0] = sim->particles->tag[i];
 	c->key[c->n][1] = element;
+	c->key[c->n][2] = image;
 	c->touching[c->n] = 0;
 	c->last[c->n].overlap = 0;
 	for (size_t k = 0; k < c->width; k++)
@@ -51,22 +53,28 @@ static bool has_history(const struct ts_wall_contacts *c, size_t k)
 	return false;
 }
 
+static int compare_keys(const void *a, const void *b)
+{
+	int first = ts_compare_int32_pair(a, b);
+
+	return first ? first : ts_compare_int32((const int32_t *)a + 2, (const int32_t *)b + 2);
+}
+
 /* Contacts are listed in the order of particles in memory, which a rebuild may change. So the keys of the old
  * contacts are sorted, each with its index, for a binary search. */
-static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
+static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[TS_WALL_KEY + 1]
 {
-	int32_t(*list)[3] = ts_alloc(c->n, sizeof *list);
+	int32_t(*list)[TS_WALL_KEY + 1] = ts_alloc(c->n, sizeof *list);
 
 	*n = 0;
 	for (size_t k = 0; list && k < c->n; k++) {
 		if (!has_history(c, k))
 			continue;
-		list[*n][0] = c->key[k][0];
-		list[*n][1] = c->key[k][1];
-		list[(*n)++][2] = (int32_t)k;
+		memcpy(list[*n], c->key[k], sizeof *c->key);
+		list[(*n)++][TS_WALL_KEY] = (int32_t)k;
 	}
 	if (list)
-		ts_sort(list, *n, sizeof *list, ts_compare_int32_pair);
+		ts_sort(list, *n, sizeof *list, compare_keys);
 	return list;
 }
 
@@ -91,13 +99,14 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 	/* the list is made again within a step, for all particles on each rank */
 	bool remade = sim->particles->division && sim->particles->division->rebuilding;
 	size_t n = 0;
-	int32_t(*list)[3] = some ? sorted_keys(old, &n) : NULL;
+	int32_t(*list)[TS_WALL_KEY + 1] = some ? sorted_keys(old, &n) : NULL;
+	int (*compare)(const void *, const void *) = old->old_keys ? ts_compare_int32_pair : compare_keys;
 
 	for (size_t k = 0; n && k < c->n; k++) {
-		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, ts_compare_int32_pair);
+		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, compare);
 
 		if (found)
-			copy_history(c, k, old, (size_t)found[2], remade);
+			copy_history(c, k, old, (size_t)found[TS_WALL_KEY], remade);
 	}
 	ts_wall_contacts_release(&rebuild->old);
 	if (some && !list)
@@ -186,7 +195,7 @@ enum ts_status ts_wall_contacts_take(struct tsim *sim, struct ts_wall_contacts *
 
 		size_t at = c->n;
 
-		TS_TRY(ts_wall_contacts_add(sim, c, 0, 0));
+		TS_TRY(ts_wall_contacts_add(sim, c, 0, 0, 0));
 		memcpy(c->key[at], row, sizeof *c->key);
 		row += sizeof *c->key;
 		memcpy(ts_wall_memory(c, at), row, memory);
@@ -213,6 +222,31 @@ static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *s
 	return ts_archive_fixed(archive, name, TS_SAVED_F64, c->report, c->n * TS_WALL_REPORT);
 }
 
+/* The numbers of images are an array of their own, which older files do not have. */
+static enum ts_status archive_keys(struct ts_archive *archive, struct tsim *sim, struct ts_wall_contacts *c)
+{
+	static const char images[] = "contact_images";
+	int32_t *flat = ts_alloc(TS_WALL_KEY * c->n, sizeof *flat);
+	enum ts_status status;
+
+	if (!flat)
+		return ts_nomem(&sim->error);
+	c->old_keys = !ts_archive_writing(archive) && !ts_archive_has(archive, images);
+	for (size_t k = 0; k < c->n; k++) {
+		memcpy(flat + 2 * k, c->key[k], 2 * sizeof *flat);
+		flat[2 * c->n + k] = c->key[k][2];
+	}
+	status = ts_archive_fixed(archive, "contact_keys", TS_SAVED_I32, flat, 2 * c->n);
+	if (status == TS_OK && !c->old_keys)
+		status = ts_archive_fixed(archive, images, TS_SAVED_I32, flat + 2 * c->n, c->n);
+	for (size_t k = 0; k < c->n; k++) {
+		memcpy(c->key[k], flat + 2 * k, 2 * sizeof *flat);
+		c->key[k][2] = flat[2 * c->n + k];
+	}
+	ts_free(flat);
+	return status;
+}
+
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
 					struct ts_wall_contacts *c)
 {
@@ -237,7 +271,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
-	TS_TRY(ts_archive_fixed(archive, "contact_keys", TS_SAVED_I32, c->key, 2 * c->n));
+	TS_TRY(archive_keys(archive, sim, c));
 	TS_TRY(ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory, c->n * c->width));
 	return archive_reports(archive, sim, c);
 }

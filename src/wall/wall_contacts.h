@@ -37,10 +37,13 @@ struct ts_wall_last_contact {
  * normal is undefined. */
 enum { TS_TOUCH_NOT, TS_TOUCH_BESIDE, TS_TOUCH_INSIDE };
 
+enum { TS_WALL_KEY = 3 };
+
 struct ts_wall_contacts {
-	size_t n;	   /* all arrays have n elements, one for each listed pair */
-	int32_t *row;	   /* index of the particle */
-	int32_t (*key)[2]; /* id of the particle, number of the element */
+	size_t n;		     /* all arrays have n elements, one for each listed pair */
+	int32_t *row;		     /* index of the particle */
+	int32_t (*key)[TS_WALL_KEY]; /* id of the particle, number of the element, of its periodic image */
+	bool old_keys; /* read from a restart file without numbers of images, which are not compared then */
 	/* TS_TOUCH_... at the last evaluation; TS_TOUCH_NOT: force and history are zero */
 	uint8_t *touching;
 	struct ts_wall_last_contact *last;
@@ -60,7 +63,9 @@ struct ts_wall_rebuild {
 	struct ts_wall_contacts old;
 };
 void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *rebuild, size_t width);
-enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element);
+/* image: tells images of an element apart that have the same number `element`; 0 if there is one only. */
+enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element,
+				    int image);
 enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts *c,
 				       struct ts_wall_rebuild *rebuild);
 
