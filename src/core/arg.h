@@ -67,8 +67,9 @@ enum ts_arg_flags {
 	TS_STATEFUL = 16,  /* state of a restart file is valid only with the same value of this argument */
 	TS_WRITES = 32,	   /* TS_ARG_WORD: a file that will be written */
 	TS_REPEAT = 64,	   /* TS_ARG_REST: a keyword that may be given several times; words are appended */
-	TS_NAMED = 128	   /* TS_ARG_REST: the keyword itself is stored as the first of the words; a name that
+	TS_NAMED = 128,	   /* TS_ARG_REST: the keyword itself is stored as the first of the words; a name that
 			    * ends in NAME is a pattern: d_NAME matches d_heat */
+	TS_CUT = 256	   /* TS_ARG_INT: 10.7 is 10, with a warning */
 };
 
 struct ts_mode;

@@ -75,10 +75,31 @@ enum ts_status ts_arg_read_real(struct ts_parse *p, const struct ts_arg *row, do
 	return check_range(p, row, word, *out);
 }
 
+/* The whole part of 333333.333333333, as of a time divided by the time step; no exponents, which LIGGGHTS cuts
+ * off as well: there 1e5 is 1. */
+static bool cut_fraction(struct ts_parse *p, const struct ts_arg *row, const struct ts_word *word,
+			 int64_t *out)
+{
+	size_t whole = strspn(word->text, "0123456789");
+	char head[20] = "";
+
+	if (!(row->flags & TS_CUT) || whole >= sizeof head || word->text[whole] != '.' ||
+	    word->text[whole + 1 + strspn(word->text + whole + 1, "0123456789")])
+		return false;
+	memcpy(head, word->text, whole);
+	if (!ts_parse_int(head, out))
+		return false;
+	ts_warn(&p->sim->log, &word->place, "%s: %s is %s, no integer: %s is taken, as in LIGGGHTS", p->what,
+		row->name, word->text, head);
+	return true;
+}
+
 enum ts_status ts_arg_read_int(struct ts_parse *p, const struct ts_arg *row, int64_t *out)
 {
 	const struct ts_word *word = ts_arg_next_word(p);
 
+	if (word && cut_fraction(p, row, word, out))
+		return check_range(p, row, word, (double)*out);
 	if (!word || !ts_parse_int(word->text, out))
 		return ts_arg_refuse(p, row, word, "an integer");
 	return check_range(p, row, word, (double)*out);

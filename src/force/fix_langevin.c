@@ -14,7 +14,7 @@ struct state {
 	struct ts_number start;
 	double stop, damp;
 	int64_t seed;
-	bool zero;
+	bool zero, angmom, omega;
 	struct ts_words scale;
 	double *factor; /* of the damping time, by atom type */
 };
@@ -25,6 +25,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (s->factor)
 		return TS_OK;
+	if (s->angmom || s->omega)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix langevin: rotations are not thermostatted: angmom and omega can only be "
+			       "no");
 	return ts_type_factors(sim, "fix langevin", &self->arena, s->scale, &s->factor);
 }
 
@@ -120,6 +124,10 @@ static const struct ts_arg args[] = {
 		.help = "subtract the mean random force, so that the total random force on the group is "
 			"zero"),
 	TS_TYPE_FACTORS(struct state, scale, "the time"),
+	TS_BOOL("angmom", struct state, angmom, .fallback = "no",
+		.help = "only no, as is the default of LAMMPS"),
+	TS_BOOL("omega", struct state, omega, .fallback = "no",
+		.help = "only no, as is the default of LAMMPS"),
 	TS_ARGS_END,
 };
 

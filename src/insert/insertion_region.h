@@ -18,7 +18,7 @@ struct ts_insertion_region {
 #define TS_INSERTION_REGION_SAVED(T) TS_INSERTION_SAVED(T), TS_SAVE_F64(T, place.volume)
 #define TS_INSERTION_REGION_ARGS(T)                                                                         \
 	TS_REGION("region", T, place.region, .help = "where particles are inserted"),                       \
-		TS_INT("ntry_mc", T, place.ntry_mc, .fallback = "100000", .range = TS_WITHIN, .lo = 1001,   \
+		TS_INT("ntry_mc", T, place.ntry_mc, .fallback = "100000", .range = TS_WITHIN, .lo = 1000,   \
 		       .hi = 1e9,                                                                           \
 		       .help = "number of random points for the volume of the region, as in LIGGGHTS"),     \
 		TS_BOOL("check_dist_from_subdomain_border", T, place.check_border, .fallback = "yes",       \

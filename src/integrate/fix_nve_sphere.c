@@ -54,7 +54,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->inertia = said;
 	if (sim->dimension == 2 && !said && !s->warned)
 		ts_warn(&sim->log, &self->where,
-			"particles rotate as discs, I = m r^2/2; confirm it by `inertia disc`, or use "
+			"particles rotate as discs, I = m r^2/2, of the mass density pi r^2, as in LIGGGHTS "
+			"(LAMMPS: "
+			"4/3 pi r^3, unless it is density/disc); confirm it by `inertia disc`, or use "
 			"`inertia sphere`");
 	s->warned = true;
 	return TS_OK;

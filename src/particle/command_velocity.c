@@ -257,6 +257,15 @@ static enum ts_status ramp_velocities(struct tsim *sim, const struct state *s, c
 	return TS_OK;
 }
 
+/* Whether `set` has only zeros, of which the unit is the same. */
+static bool is_zero(const struct state *s)
+{
+	for (int d = 0; d < 3; d++)
+		if (!s->value[d].null && (s->value[d].variable || s->value[d].value != 0))
+			return false;
+	return true;
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
@@ -265,7 +274,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->bias && !s->temp)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
 			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
-	if (s->mode == SET || s->mode == RAMP)
+	if ((s->mode == SET && !is_zero(s)) || s->mode == RAMP)
 		ts_domain_units_said(sim, s->units, where);
 	switch (s->mode) {
 	case SET:

@@ -325,7 +325,9 @@ enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
 
 	if (r->defined)
 		return TS_OK;
-	ts_domain_units_said(sim, r->units, &self->where);
+	/* a union has no lengths of its own, unless it moves */
+	if (!style_of(self)->member || r->move_words.n || r->rotate_words.n)
+		ts_domain_units_said(sim, r->units, &self->where);
 	for (int k = 0; k < 3; k++) {
 		r->scale[k] = ts_domain_scale(sim, r->units, k);
 		r->edge[0][k] = sim->has_box ? domain->box.lo[k] : NAN;

@@ -204,7 +204,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("N", struct run, steps, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	TS_INT("N", struct run, steps, .flags = TS_POSITIONAL | TS_CUT, .range = TS_NOT_NEGATIVE,
 	       .help = "number of steps"),
 	TS_FLAG("upto", struct run, upto, .help = "run until step N instead of N more steps"),
 	TS_INT("start", struct run, start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
@@ -241,6 +241,9 @@ const struct ts_command_style ts_command_run = {
 			  "commands; variables in them are substituted each time. Before the first step they "
 			  "are checked, including those of `if`: commands, styles, arguments and variables "
 			  "must exist.\n\n"
+			  "Of a number of steps with a fraction, such as a time divided by the time step, "
+			  "the "
+			  "whole part is taken, with a warning.\n\n"
 			  "Quantities that change over a run, such as ramp(), change from its first to its "
 			  "last step. With `start` and `stop` several runs, or a run and its continuation "
 			  "from a restart file, count as one.\n\n"

@@ -118,7 +118,8 @@ enum ts_status ts_check_unreached_commands(struct ts_script *script, struct ts_w
 			continue;
 		if (ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
 			status = ts_nomem(&script->sim->error);
-		else
+		ts_line_uncomment(&line);
+		if (status == TS_OK)
 			status = ts_check_unreached(script, &line, " (in a branch that is not taken)");
 	}
 	ts_line_release(&line);

@@ -116,6 +116,7 @@ static enum ts_status check_command(struct later *later, const struct ts_word *w
 	ts_str_release(&text);
 	if (status == TS_OK && ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
 		status = ts_nomem(&script->sim->error);
+	ts_line_uncomment(&line);
 	if (status == TS_OK)
 		status = ts_check_unreached(script, &line, "");
 	if (status == TS_OK)

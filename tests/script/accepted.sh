@@ -48,6 +48,43 @@ print \"sum \$(c_sum)\"" 'sum 0.5'
 rejects "$box
 compute sum all reduce update_on_run_end maybe sum vx" 'update_on_run_end takes yes or no'
 
+# A number of steps that is a time divided by the time step: the whole part, as in LIGGGHTS 3.8. The fewest points of
+# a volume; the rotations that fix langevin leaves alone; a comment in a command of `if`, also of one not executed.
+prints "$box
+variable n equal 0.0001007/1e-5
+run \${n}
+run 20.9 upto
+print \"step \$(step)\"" 'step 20' '*warning: run: N is 10.07, no integer: 10 is taken, as in LIGGGHTS'
+prints "$box
+fix l all langevin 0 0 1 4711 angmom no omega no
+fix pts all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.01
+fix pdd all particledistribution/discrete 15485867 1 pts 1.0
+region mid sphere 0.5 0.5 0.5 0.2 units box
+fix ins all insert/rate/region seed 32452843 distributiontemplate pdd nparticles 5 particlerate 1e6 insert_every 100 &
+	overlapcheck yes region mid ntry_mc 1000
+run 1
+print \"atoms \$(atoms)\"" 'atoms 7'
+commented="$box
+if \"1 > 2\" then &
+\"region one sphere 0 0 0 1 units box # walls\" &
+else &
+\"region two sphere 0 0 0 1 units box # no walls\"
+group near region two"
+printf '%s\n' "$commented" >in.commented
+"$TSIM" -check -in in.commented >out 2>&1
+report 'comments in branches' $? out
+
+# The unit of lengths is asked for only where it matters: not for zeros, nor for a region that is made of others.
+printf '%s\n' "${box//create_atoms/lattice sc 0.3
+create_atoms}" | sed '2,$s/^create_atoms.*/& units box/' >in.units
+printf '%s\n' 'region a plane 0 0 0 1 0 0 units box' 'region b plane 1 1 1 -1 0 0 units box' 'region c intersect 2 a b' \
+	'velocity all set 0 NULL 0.0' 'run 0' >>in.units
+"$TSIM" -in in.units -log none >out 2>&1 && ! grep 'lengths are taken' out
+report 'no unit needed' $? out
+echo 'velocity all set 0.1 0 0' >>in.units
+"$TSIM" -in in.units -log none >out 2>&1 && grep -q 'lengths are taken' out
+report 'unit needed' $? out
+
 # A command in quotes, and names of kinds without `per`.
 other=${material//peratomtypepair/atomtypepair}
 prints "shell \"mkdir -p made/inner second\"

@@ -96,8 +96,12 @@ $box
 run 1e3
 => 9:5: error: run: N is '1e3', expected an integer (number of steps)
 $box
-run 100.5
-=> 9:5: error: run: N is '100.5', expected an integer (number of steps)
+run 100.5e1
+=> 9:5: error: run: N is '100.5e1', expected an integer (number of steps)
+$box
+fix l all langevin 300 300 0.1 4711 angmom no omega yes
+run 0
+=> 9:11: error: fix langevin: rotations are not thermostatted: angmom and omega can only be no
 $box
 run 10 upto
 run 5 upto
