@@ -346,7 +346,7 @@ static void wrong_value(struct trial *t, const struct line *good, size_t k)
 {
 	switch (good->item[k].row->type) {
 	case TS_ARG_INT:
-		with_word(t, good, k, "no whole number", "1.5");
+		with_word(t, good, k, "no whole number", good->item[k].row->flags & TS_CUT ? "1e1" : "1.5");
 		with_word(t, good, k, "too large a number", "99999999999999999999");
 		with_word(t, good, k, "too small a number", "-9223372036854775809");
 		/* fallthrough */

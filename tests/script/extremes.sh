@@ -49,8 +49,10 @@ run 99999999999999999999"
 says 'more steps than the counter holds' '(beyond|more than|too (many|large)|out of range|largest)' "$ready
 run 1
 run 9223372036854775807"
-says 'a step count with a fraction' 'run' "$ready
-run 1.5"
+says 'a step count with an exponent' 'expected an integer' "$ready
+run 1e1"
+says 'a fraction of more steps than the counter holds' 'expected an integer' "$ready
+run 99999999999999999999.5"
 
 # places
 says 'a box of no length' 'would reach from z = 0 to 0' 'region b block 0 1 0 1 0 0 units box
