@@ -3,13 +3,13 @@
 # tests/house/quick.sh fails where a name is not that of a test.
 #
 #   seconds  test                           quick tests of the same subject
-#     120    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
+#     230    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
-#      80    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
+#      50    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      10    rank/balance.sh                rank/check_loads
-#     180    rank/contract_ranks.sh         rank/contract.sh
-#      30    rank/soak.sh                   rank/contract.sh
-#      20    rank/plan.sh                   rank/check_blocks
+#     100    rank/contract_ranks.sh         rank/contract.sh
+#      37    rank/soak.sh                   rank/contract.sh
+#      12    rank/plan.sh                   rank/check_blocks
 #      20    rank/pause.sh                  rank/contract.sh
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
@@ -32,14 +32,14 @@
 #       6    examples/drilling.sh           bond/check_bonds
 #       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
 #      12    examples/scratch.sh            bond/check_element, bond/parallel.sh
-#      25    examples/everyday.sh           mesh/mesh_primitive.sh, shape/check_shapes
-#      16    examples/rock.sh               bond/check_element, bond/parallel.sh
+#      48    examples/everyday.sh           mesh/mesh_primitive.sh, shape/check_shapes
+#      24    examples/rock.sh               bond/check_element, bond/parallel.sh
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
 #       8    house/dist.sh                  library/check_library
 #       5    house/install.sh               library/check_library
-#      75    manual/book.sh                 manual/links.sh
+#      33    manual/book.sh                 manual/links.sh
 #      14    manual/first_hour.sh           mesh/mesh_primitive.sh
 #       4    coupling/momentum.sh           coupling/check_coupling
 long_tests = \
