@@ -239,21 +239,20 @@ enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct ts
 
 /* ---- net flow */
 
-/* Velocity across a face of the grid. Where only some planes are present (fluid->planes) all faces that are not periodic
- * are closed if the net flow is asked for: the velocity on them is the one that the boundary gives. */
-static double velocity_across(const struct ts_fluid *fluid, int d, enum ts_grid_side side, int ia, int ib)
+/* Velocity across a face of the grid, at point `at` of the field: (ia, ib) on the face. Where only some planes are present
+ * (fluid->planes) all faces that are not periodic are closed if the net flow is asked for: the velocity on them is the one
+ * that the boundary gives. */
+static double velocity_across(const struct ts_fluid *fluid, int d, enum ts_grid_side side, size_t at, int ia,
+			      int ib)
 {
-	const struct ts_grid *grid = &fluid->grid;
 	const struct ts_flow_face_velocity *given = &fluid->face_velocity[d][side];
-	const int a = d == 0, b = d == 2 ? 1 : 2;
-	const ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
 
 	if (!fluid->planes.some)
-		return fluid->u[d][(ptrdiff_t)ts_at(grid, 0, 0, 0) + face + ia * grid->stride[a] +
-				   ib * grid->stride[b]];
+		return fluid->u[d][at];
 	if (fluid->face[d][side] == TS_FLOW_SLIP)
 		return 0;
-	return given->plane[d] ? given->plane[d][ts_flow_plane_at(grid, d, ia, ib)] : given->constant[d];
+	return given->plane[d] ? given->plane[d][ts_flow_plane_at(&fluid->grid, d, ia, ib)]
+			       : given->constant[d];
 }
 
 /* Whether nothing flows through a face. */
@@ -275,11 +274,11 @@ static double face_outflow(const struct ts_fluid *fluid, int d, enum ts_grid_sid
 	double sum = 0;
 
 	if (is_tight(fluid, d, side))
-		return side == TS_LOW ? -sum : sum;
+		return 0;
 	for (int ib = 0; ib < grid->n[b]; ib++)
 		for (int ia = 0; ia < grid->n[a]; ia++) {
 			size_t at = first + (size_t)(ia * grid->stride[a] + ib * grid->stride[b]);
-			double flow = velocity_across(fluid, d, side, ia, ib) * grid->width[a][ia] *
+			double flow = velocity_across(fluid, d, side, at, ia, ib) * grid->width[a][ia] *
 				      grid->width[b][ib];
 
 			if (fluid->void_fraction_face[d])

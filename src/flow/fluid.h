@@ -225,6 +225,9 @@ struct ts_flow_part {
 /* Sets the ghosts of a velocity field (fluid->u or another), and the components across boundaries that
  * give them. */
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3]);
+/* Whether ghosts beside an open face across axis d depend on velocities across it that come from the other end of a later axis,
+ * which is periodic. */
+bool ts_fluid_leans_on_images(const struct ts_fluid *fluid, int d);
 /* Sets only the ghosts: components on the boundary keep their values. */
 void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3]);
 /* Sets the ghosts of a centred scalar: zero gradient at faces that are not periodic. */

@@ -351,20 +351,16 @@ static void velocity_rows(void *context, size_t from, size_t to)
 	}
 }
 
-/* Whether ghosts beside an open face depend on velocities across it that come from the other end of a later axis, which is
- * periodic: see find_leaving_beside. */
-static bool need_images_first(const struct ts_fluid *fluid)
+/* The flow beside a place decides there (find_leaving_beside). */
+bool ts_fluid_leans_on_images(const struct ts_fluid *fluid, int d)
 {
 	const struct ts_grid *grid = &fluid->grid;
-	bool open = false;
+	bool later = false;
 
-	for (int d = 0; d < grid->dimensions; d++) {
-		if (grid->periodic[d] && open)
-			return true;
-		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
-			open |= ts_flow_face_open(fluid->face[d][side]);
-	}
-	return false;
+	for (int axis = d + 1; axis < grid->dimensions; axis++)
+		later |= grid->periodic[axis];
+	return later && !grid->periodic[d] &&
+	       (ts_flow_face_open(fluid->face[d][TS_LOW]) || ts_flow_face_open(fluid->face[d][TS_HIGH]));
 }
 
 /* Axis by axis, each including the ghosts of the axes before it, so that edges and corners are set as
@@ -373,8 +369,11 @@ static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool
 {
 	const int components = fluid->grid.dimensions;
 	struct velocity_task task = { .fluid = fluid, .u = u, .keep = keep };
+	bool first = false; /* images, before all */
 
-	for (task.d = 1; task.d < components && need_images_first(fluid); task.d++)
+	for (int d = 0; d < components; d++)
+		first |= ts_fluid_leans_on_images(fluid, d);
+	for (task.d = 1; first && task.d < components; task.d++)
 		if (fluid->grid.periodic[task.d])
 			fill_rows_in_parallel(fluid, task.d, components, velocity_rows, &task);
 	for (task.d = 0; task.d < components; task.d++)

@@ -117,20 +117,6 @@ static void share_beside(struct ts_projection *p, double *field, int below, int 
 	ts_slabs_share_beside(&p->slabs, &all, below, above, p->fluid.grid.periodic[2]);
 }
 
-/* Whether ghosts beside an open face across axis d depend on velocities across it that come from the other end of a later axis
- * which is periodic: ts_fluid_fill_velocity goes from axis to axis, so that these are of the fill before. */
-static bool lags(const struct ts_projection *p, int d)
-{
-	const struct ts_fluid *fluid = &p->fluid;
-	bool open = false, ring = false;
-
-	for (int side = 0; side < 2; side++)
-		open |= ts_flow_face_open(fluid->face[d][side]);
-	for (int axis = d + 1; axis < 3; axis++)
-		ring |= fluid->grid.periodic[axis];
-	return open && ring && !fluid->grid.periodic[d];
-}
-
 void ts_slab_step_predicted(struct ts_projection *p, bool all)
 {
 	double *const *u = p->fluid.u;
@@ -142,11 +128,14 @@ void ts_slab_step_predicted(struct ts_projection *p, bool all)
 	if (all)
 		return;
 	share_beside(p, u[2], 0, 1);
-	for (int d = 0; d < 2; d++)
-		if (lags(p, d) && p->fluid.planes.some)
+	for (int d = 0; d < 2; d++) {
+		if (!ts_fluid_leans_on_images(&p->fluid, d))
+			continue;
+		if (p->fluid.planes.some)
 			share_beside(p, u[d], 1, 0);
-		else if (lags(p, d))
+		else
 			ts_slab_step_share(p, u[d]);
+	}
 }
 
 void ts_slab_step_solved(struct ts_projection *p, double *pressure)

@@ -56,6 +56,7 @@ static const struct {
 	{ "cd", ts_files_chdir, false, false, false, false },
 	{ "putenv", set_environment, false, false, false, false },
 };
+enum { ACTIONS = sizeof actions / sizeof *actions };
 
 static enum ts_status report_change(struct tsim *sim, const char *what, const struct ts_word *word)
 {
@@ -142,7 +143,7 @@ static enum ts_status unknown_action(struct tsim *sim, const struct ts_word *wor
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
-	for (size_t a = 0; a < sizeof actions / sizeof *actions; a++)
+	for (size_t a = 0; a < ACTIONS; a++)
 		ts_suggest_try(&suggest, actions[a].name);
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
 		       "shell knows mkdir, mv, rm, rmdir and cd, not '%s'%s; tsim starts other programs only "
@@ -184,8 +185,6 @@ static enum ts_status set_home(struct ts_script *script)
 			    : ts_fail(&script->sim->error, TS_IO, NULL, "shell: no working folder: %s",
 				      strerror(errno));
 }
-
-enum { ACTIONS = sizeof actions / sizeof *actions };
 
 /* ACTIONS: it is none of them. */
 static size_t find_action(const char *name)
