@@ -8,7 +8,7 @@ setting='steps per contact of two spheres'
 budget=60
 pick='velocity Verlet with 25 to 50 steps per contact. Half the time step doubles the cost and divides the error by two to
 four. `nve/symplectic` gives the same positions, but its velocities, and therefore the energy, lag behind by half a step. Sub-step
-contact detection (`located`) has no advantage for lasting contacts, and costs up to twice as much. Explicit Euler adds energy to an
+contact detection (`located`) has no advantage for lasting contacts, and costs up to twice as much (Hertz law: up to 1.4 times). Explicit Euler adds energy to an
 undamped column until it becomes unstable (missing points).'
 
 difference() {
