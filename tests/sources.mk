@@ -206,6 +206,7 @@ shell_tests = \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
 	tests/rank/soak.sh \
+	tests/rank/timer.sh \
 	tests/region/regions.sh \
 	tests/report/browser.sh \
 	tests/report/report.sh \

@@ -81,12 +81,10 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 	return leave_run(sim, status);
 }
 
-/* timer timeout: the run ends with this step, later ones do nothing. */
+/* timer timeout: the run ends with this step, later ones do nothing. Several ranks have agreed on it in the step. */
 static void check_timeout(struct tsim *sim)
 {
-	int64_t done = sim->clock.step - sim->clock.first_step;
-
-	if (!(sim->run.timeout > 0) || done % sim->run.timeout_every != 0 || ts_clock() < sim->run.timeout)
+	if (!(sim->world ? sim->run.timed_out : ts_sim_time_is_up(sim)))
 		return;
 	ts_log(&sim->log, "Wall time limit reached at step %" PRId64 "\n", sim->clock.step);
 	sim->clock.last_step = sim->clock.step;

@@ -256,13 +256,16 @@ bool ts_ranks_step_due(const struct tsim *sim)
 
 void ts_ranks_agree(struct tsim *sim)
 {
-	double flag[5] = { sim->run.rebuild, sim->world->stop, sim->world->save, sim->run.relist,
-			   sim->run.runaways };
+	double flag[6] = {
+		sim->run.rebuild, sim->world->stop,  sim->world->save,
+		sim->run.relist,  sim->run.runaways, ts_ranks_first(sim) && ts_sim_time_is_up(sim)
+	};
 
-	ts_world_most(sim->world, flag, 5);
+	ts_world_most(sim->world, flag, 6);
 	sim->run.rebuild = flag[0] > 0;
 	sim->run.relist = flag[3] > 0;
 	sim->run.runaways = flag[4] > 0;
+	sim->run.timed_out = flag[5] > 0;
 	if (flag[1] > 0)
 		sim->requests.stop = 1;
 	if (flag[2] > 0)

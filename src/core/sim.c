@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/clock.h"
+
 #include "base/banned.h"
 
 double ts_sim_time(const struct tsim *sim)
@@ -21,6 +23,13 @@ void ts_sim_set_dt(struct tsim *sim, double dt)
 	sim->clock.base_time = ts_sim_time(sim);
 	sim->clock.base_step = sim->clock.step;
 	sim->clock.dt = dt;
+}
+
+bool ts_sim_time_is_up(const struct tsim *sim)
+{
+	int64_t done = sim->clock.step - sim->clock.first_step;
+
+	return sim->run.timeout > 0 && done % sim->run.timeout_every == 0 && ts_clock() >= sim->run.timeout;
 }
 
 struct ts_instance *ts_sim_find(const struct tsim *sim, enum ts_kind kind, const char *id)

@@ -136,11 +136,12 @@ struct ts_run_state {
 	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
 	bool relist;	     /* the contact list alone is to be rebuilt: no particle is deleted */
 	bool runaways;	     /* a particle has moved by more than its radius in this step */
-	bool looks;    /* all ranks have all particles for outputs, but each has lists of its own only */
-	bool pauses;   /* the script is the whole program: core/ranks_pause.h */
-	bool apart;    /* with several ranks: formulas are evaluated that may read nothing of particles */
-	bool uneven;   /* some ranks have so many particles that all are to be divided again */
-	bool complete; /* the run may end with this step: it stores all that can be read afterwards */
+	bool looks;	/* all ranks have all particles for outputs, but each has lists of its own only */
+	bool pauses;	/* the script is the whole program: core/ranks_pause.h */
+	bool apart;	/* with several ranks: formulas are evaluated that may read nothing of particles */
+	bool timed_out; /* the first of several ranks has found in this step that the wall time is up */
+	bool uneven;	/* some ranks have so many particles that all are to be divided again */
+	bool complete;	/* the run may end with this step: it stores all that can be read afterwards */
 	bool shows_contacts; /* an output reads forces of contacts, or an outside program may do so */
 	bool shows_lists;    /* an output reads lists of pairs */
 	/* Nothing that forces depend on has changed since the last step: the run continues with the forces
@@ -260,6 +261,9 @@ static inline int ts_team(const struct tsim *sim, size_t n)
 
 double ts_sim_time(const struct tsim *sim);	 /* [time] */
 void ts_sim_set_dt(struct tsim *sim, double dt); /* dt [time] */
+
+/* timer timeout: whether the wall time of runs is up, in steps in which it is read. */
+bool ts_sim_time_is_up(const struct tsim *sim);
 
 struct ts_instance *ts_sim_find(const struct tsim *sim, enum ts_kind kind, const char *id);
 /* The same, or an error with a suggestion. */

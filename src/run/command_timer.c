@@ -1,5 +1,4 @@
 /* Command timer: limits the wall time of runs. */
-#include "core/ranks.h"
 #include "core/sim.h"
 
 #include <string.h>
@@ -52,8 +51,6 @@ static enum ts_status set_timeout(struct tsim *sim, struct ts_words words)
 		return TS_OK;
 	if (words.n < 2 || !read_time(words.word[1].text, &seconds))
 		return refuse_value(sim, words.word, "seconds, m:s, h:m:s, off, unlimited or reset");
-	if (seconds >= 0)
-		TS_TRY(ts_ranks_refuse(sim, "timer timeout", &words.word[0].place));
 	sim->run.timeout = seconds < 0 ? 0 : ts_clock() + seconds;
 	return TS_OK;
 }
@@ -115,7 +112,8 @@ const struct ts_command_style ts_command_timer = {
 		.doc = "A run that reaches the limit ends after the current step in the same way as at its "
 		       "last step; later runs do nothing until the next `timer timeout`, so that a script can "
 		       "still write a restart file. The wall time is checked every 10 steps of a run, or as "
-		       "`every` says. The wall times of the stages of a step are always measured and printed "
+		       "`every` says. With several ranks the clock of the first one decides, and all end "
+		       "after the same step. The wall times of the stages of a step are always measured and printed "
 		       "after a run.",
 		.example = "timer timeout 2:30:00 every 100\ntimer timeout reset",
 		.args = args,

@@ -70,7 +70,7 @@ static enum ts_status spcpu(struct tsim *sim, double *out)
 
 static enum ts_status timeremain(struct tsim *sim, double *out)
 {
-	*out = sim->run.timeout > 0 ? sim->run.timeout - ts_clock() : 0;
+	*out = ts_ranks_same(sim, sim->run.timeout > 0 ? sim->run.timeout - ts_clock() : 0);
 	return TS_OK;
 }
 

@@ -25,8 +25,8 @@ for n in 1000 64; do
 	awk -v all="$all" -v n=$n -v mean="$(number 'particles ' 2)" 'BEGIN { d = mean * n - all; exit !(all > 0 && d * d <= (0.05 * n)^2) }'
 	report "$n ranks have all particles" $? out
 done
-refused 'what does not work with ranks' 'timer timeout does not work with several ranks yet (there are 3)' -explain -ranks 3 \
-	-in <(sed 's/^run.*/timer timeout 1\nrun 1/' in.plan)
+refused 'what does not work with ranks' 'shell with a program does not work with several ranks yet (there are 3)' -shell yes -explain -ranks 3 \
+	-in <(sed 's/^run.*/shell true\nrun 1/' in.plan)
 "$TSIM" -in in.plan -log none -ranks 4 >out 2>&1
 [ $? = 2 ] && grep -q 'ranks are started by mpirun -np N' out
 report '-ranks without -explain' $? out

@@ -113,14 +113,14 @@ refused() {
 	shift 3
 	printf '%s\n' 'units lj' 'region box block 0 10 0 10 0 10' 'create_box 1 box' 'create_atoms 1 single 5 5 5' "$@" 'run 10' \
 		>in.refused
-	ranks 2 -in in.refused -log none
+	ranks 2 -shell yes -in in.refused -log none
 	[ $? != 0 ] && [ "$(grep -c "in.refused:$place: error: .*$text" out)" = 1 ] && ! grep -q 'Loop time' out
 	report "$what" $? out
-	"$TSIM" -in in.refused -log none >out 2>&1
+	"$TSIM" -shell yes -in in.refused -log none >out 2>&1
 	report "$what: alone it runs" $? out
 }
 integrate='fix 1 all nve'
-refused 'a command' 5:7 'timer timeout does not work with several ranks' 'timer timeout 100' "$integrate"
+refused 'a command' 5:7 'shell with a program does not work with several ranks' 'shell true' "$integrate"
 refused 'a variable of all particles' 6:19 "'v_g' is a value that depends on all particles" 'variable g equal 1+ke' \
 	'fix g all gravity v_g vector 0 0 -1' "$integrate"
 refused 'a variable that draws' 7:20 "'v_f' is a value that depends on all particles" 'variable g equal random(0,1,5)' \
