@@ -1493,6 +1493,8 @@ library_sources = \
 	src/wall/mesh_wall.h \
 	src/wall/mesh_wall_queue.c \
 	src/wall/mesh_wall_queue.h \
+	src/wall/mesh_wall_search.c \
+	src/wall/mesh_wall_search.h \
 	src/wall/mesh_wall_shape.c \
 	src/wall/mesh_wall_sweep.c \
 	src/wall/primitive_wall.c \

@@ -3,11 +3,11 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "base/parallel.h"
 #include "box/domain.h"
 #include "mesh/mesh_distance.h"
 #include "neigh/coincide.h"
 #include "neigh/drift_frame.h"
+#include "wall/mesh_wall_search.h"
 
 #include "base/banned.h"
 
@@ -31,14 +31,6 @@ static int modulo3(int a)
 {
 	return (a % 3 + 3) % 3;
 }
-
-/* A triangle near particle i. */
-struct found {
-	size_t i;
-	int32_t mesh, triangle;
-	int shift[3];	 /* periodic image of the mesh, in box lengths */
-	double distance; /* from the centre of the particle, length */
-};
 
 /* Appends contact `first` to particle i, or makes an entry for the particle. All contacts of a particle
  * are added consecutively. */
@@ -69,7 +61,7 @@ double ts_mesh_wall_onset_distance(const struct tsim *sim, const struct ts_wall 
 }
 
 static enum ts_status add_contact(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw,
-				  const struct found *f)
+				  const struct ts_mesh_found *f)
 {
 	const struct ts_mesh *mesh = &mw->mesh[f->mesh].surface->mesh;
 	const struct ts_particles *p = sim->particles;
@@ -100,196 +92,6 @@ static enum ts_status add_contact(struct tsim *sim, struct ts_wall *w, struct ts
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
 				    ((int)mw->mesh[f->mesh].first + f->triangle) * TS_MESH_WALL_IMAGES + code,
 				    far);
-}
-
-/* The range of periodic images of a mesh, in box lengths, that come within r of x in dimension `dim`. */
-static void image_range(const struct ts_box *box, const struct ts_mesh_tree *tree, int dim, double x,
-			double r, int range[2])
-{
-	double length = ts_box_length(box, dim);
-
-	range[0] = range[1] = 0;
-	if (!ts_box_periodic(box, dim))
-		return;
-	range[0] = (int)ceil(fmax(-1e6, (x - r - tree->hi[1][dim]) / length));
-	range[1] = (int)floor(fmin(1e6, (x + r - tree->lo[1][dim]) / length));
-}
-
-/* Result of the search of one thread: triangles near its particles, in the order of particles. Each begins on a cache line of
- * its own, since threads write their numbers all the time. */
-struct search {
-	_Alignas(TS_CACHE_LINE) struct found *found;
-	size_t n, capacity;
-	struct ts_mesh_list list;
-	struct ts_mesh_vicinity *vicinity; /* [nmeshes]: triangles around the last particle */
-	bool failed;			   /* out of memory */
-};
-
-static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3],
-		       double r, const struct found *what)
-{
-	const struct ts_mesh *mesh = &part->surface->mesh;
-	struct ts_mesh_vicinity *v = &s->vicinity[what->mesh];
-
-	if (ts_mesh_vicinity_near(&part->tree, mesh, at, r, v, &s->list) != TS_OK ||
-	    TS_GROW(s->found, s->capacity, s->n + s->list.n) != TS_OK) {
-		s->failed = true;
-		return;
-	}
-	for (size_t k = 0; k < s->list.n; k++) {
-		struct found *f = &s->found[s->n];
-
-		*f = *what;
-		f->triangle = s->list.item[k];
-		f->distance = ts_mesh_distance(mesh, (size_t)f->triangle, at);
-		s->n += f->distance > r + ts_mesh_wall_slack(mesh, f->triangle) ? 0 : 1;
-	}
-}
-
-static void find_images(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t mesh, size_t i,
-			double r, struct search *found)
-{
-	const struct ts_box *box = &sim->domain->box;
-	const struct ts_mesh_part_of_wall *part = &mw->mesh[mesh];
-	const double *x = sim->particles->xhold[i];
-	struct found what = { .i = i, .mesh = (int32_t)mesh };
-	int range[3][2], *s = what.shift;
-
-	for (int d = 0; d < 3; d++)
-		image_range(box, &part->tree, d, x[d], r, range[d]);
-	for (s[0] = range[0][0]; s[0] <= range[0][1]; s[0]++) {
-		for (s[1] = range[1][0]; s[1] <= range[1][1]; s[1]++) {
-			for (s[2] = range[2][0]; s[2] <= range[2][1]; s[2]++) {
-				double at[3];
-
-				for (int d = 0; d < 3; d++)
-					at[d] = x[d] - s[d] * ts_box_length(box, d);
-				find_image(found, part, at, r, &what);
-			}
-		}
-	}
-}
-
-struct searching {
-	struct ts_instance *self;
-	struct tsim *sim;
-	const struct ts_wall *w;
-	const struct ts_mesh_wall *mw;
-	struct search *share;
-	size_t shares;
-};
-
-/* Whether pairs of particle i with this mesh are listed. Immobile particles are listed where the load on
- * the mesh is summed. */
-static bool is_candidate(const struct searching *s, size_t mesh, size_t i)
-{
-	const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
-	const struct ts_particles *p = s->sim->particles;
-
-	return ts_in_group(p, i, part->by->group) &&
-	       (ts_wall_interacts(s->self, s->sim, i, !isnan(part->surface->temperature)) ||
-		(s->w->observers[mesh] && ts_in_group(p, i, s->self->group)));
-}
-
-/* Distance from its centre up to which triangles are listed for particle i. */
-static double search_radius(const struct searching *s, size_t i)
-{
-	double radius = s->sim->particles->radius[i];
-	double reach = ts_wall_long_ranged(s->w, s->sim) ? ts_wall_reach(s->w, s->sim, radius) : 0;
-
-	return radius + s->sim->neigh->built_skin + fmax(s->w->look, reach);
-}
-
-/* Particles that follow each other in memory and are near each other, and the box of their centres. */
-struct tile {
-	size_t from, to;
-	double lo[3], hi[3], radius; /* the largest of their search radii */
-};
-enum { MOST_IN_TILE = 64 };
-
-static bool add_to_tile(const struct searching *s, struct tile *tile)
-{
-	const double *x = s->sim->particles->xhold[tile->to];
-	struct tile with = *tile;
-	bool fits = true;
-
-	with.radius = fmax(tile->radius, search_radius(s, tile->to));
-	for (int d = 0; d < 3; d++) {
-		with.lo[d] = fmin(tile->lo[d], x[d]);
-		with.hi[d] = fmax(tile->hi[d], x[d]);
-		fits &= with.hi[d] - with.lo[d] <= TS_MESH_VICINITY * with.radius;
-	}
-	if (!fits && tile->to > tile->from)
-		return false;
-	*tile = with;
-	tile->to++;
-	return true;
-}
-
-/* Searches triangles around particles of a tile. Periodic images of a mesh, if any, have vicinities of their own. */
-static void search_tile(const struct searching *s, const struct tile *tile, struct search *share)
-{
-	bool near = false; /* an image of a mesh may be */
-
-	for (int d = 0; d < 3; d++)
-		near |= ts_box_periodic(&s->sim->domain->box, d);
-	for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++) {
-		const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
-
-		share->failed = ts_mesh_vicinity_make(&part->tree, &part->surface->mesh, tile->lo, tile->hi,
-						      tile->radius, &share->vicinity[mesh]) != TS_OK;
-	}
-	for (size_t mesh = 0; mesh < s->mw->nmeshes; mesh++)
-		near |= share->vicinity[mesh].candidate.n > 0;
-	for (size_t i = tile->from; near && i < tile->to; i++)
-		for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
-			if (is_candidate(s, mesh, i))
-				find_images(s->sim, s->mw, mesh, i, search_radius(s, i), share);
-}
-
-static void search_share(const struct searching *s, size_t from, size_t to, struct search *share)
-{
-	while (from < to && !share->failed) {
-		struct tile tile = { .from = from,
-				     .to = from,
-				     .lo = { INFINITY, INFINITY, INFINITY },
-				     .hi = { -INFINITY, -INFINITY, -INFINITY } };
-
-		while (tile.to < to && tile.to - from < MOST_IN_TILE && add_to_tile(s, &tile))
-			continue;
-		search_tile(s, &tile, share);
-		from = tile.to;
-	}
-}
-
-static void search_range(void *context, size_t from, size_t to)
-{
-	const struct searching *s = context;
-	size_t n = s->sim->particles->n;
-
-	for (size_t t = from; t < to; t++) {
-		struct search *share = &s->share[t];
-
-		share->vicinity = ts_alloc(s->mw->nmeshes, sizeof *share->vicinity);
-		share->failed = !share->vicinity;
-		search_share(s, n * t / s->shares, n * (t + 1) / s->shares, share);
-		for (size_t mesh = 0; mesh < s->mw->nmeshes && share->vicinity; mesh++)
-			ts_mesh_vicinity_release(&share->vicinity[mesh]);
-		ts_free(share->vicinity);
-	}
-}
-
-/* Adds the triangles that a thread has found to the contacts, and releases them. */
-static enum ts_status add_found(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw,
-				struct search *share)
-{
-	enum ts_status status = share->failed ? ts_nomem(&sim->error) : TS_OK;
-
-	for (size_t k = 0; k < share->n && status == TS_OK; k++)
-		status = add_contact(sim, w, mw, &share->found[k]);
-	ts_free(share->found);
-	ts_free(share->list.item);
-	return status;
 }
 
 double ts_mesh_wall_max_approach(const struct tsim *sim, struct ts_mesh_wall *mw)
@@ -341,11 +143,8 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 	struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
-	size_t n = sim->particles->n;
-	/* a search costs as much as about 16 particles of simple loops */
-	int team = ts_team(sim, 16 * n);
-	struct searching s = { self, sim, w, mw, NULL, (size_t)team };
-	enum ts_status status = TS_OK;
+	struct ts_mesh_wall_search search = { 0 };
+	enum ts_status status;
 
 	for (size_t k = 0; k < mw->nmeshes; k++) {
 		TS_TRY(update_tree(sim, &mw->mesh[k]));
@@ -354,16 +153,11 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 	}
 	mw->nneighbors = 0;
 	ts_mesh_wall_max_approach(sim, mw);
-	s.share = ts_alloc_aligned(s.shares, sizeof *s.share);
-	if (!s.share)
-		return ts_nomem(&sim->error);
-	ts_parallel(team, s.shares, search_range, &s);
-	for (size_t t = 0; t < s.shares; t++) {
-		enum ts_status taken = add_found(sim, w, mw, &s.share[t]);
-
-		status = status == TS_OK ? taken : status;
-	}
-	ts_free(s.share);
+	status = ts_mesh_wall_search(self, sim, &search);
+	for (size_t k = 0; status == TS_OK && k < search.parts; k++)
+		for (size_t j = 0; status == TS_OK && j < search.part[k].n; j++)
+			status = add_contact(sim, w, mw, &search.part[k].found[j]);
+	ts_mesh_wall_search_release(&search);
 	return status;
 }
 
