@@ -633,6 +633,8 @@ library_sources = \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \
 	src/geom/box.h \
+	src/geom/box_images.c \
+	src/geom/box_images.h \
 	src/geom/frustum.c \
 	src/geom/frustum.h \
 	src/geom/motion.h \

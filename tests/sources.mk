@@ -176,6 +176,7 @@ shell_tests = \
 	tests/manual/search.sh \
 	tests/material/materials.sh \
 	tests/mesh/cell_regions.sh \
+	tests/mesh/far_images.sh \
 	tests/mesh/free_mesh.sh \
 	tests/mesh/long_meshes.sh \
 	tests/mesh/massflow.sh \

@@ -1,6 +1,7 @@
 #include "insert/insertion_meshes.h"
 
 #include "box/domain.h"
+#include "geom/box_images.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
 
@@ -50,21 +51,17 @@ enum ts_status ts_insertion_meshes_touch(struct ts_insertion_meshes *m, struct t
 					 double radius, bool *touches)
 {
 	const struct ts_box *box = &sim->domain->box;
-	double shift[3], image[3];
 
 	*touches = false;
-	for (int k = 0; k < 27 && !*touches; k++) {
-		const int turn[3] = { k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1 };
-		bool exists = true;
+	for (size_t k = 0; k < m->n; k++) {
+		const struct ts_mesh_tree *tree = &m->item[k].tree;
+		struct ts_box_images images = ts_box_images(box, tree->lo[1], tree->hi[1], x, x, radius);
+		double image[3];
 
-		for (int d = 0; d < 3; d++) {
-			exists &= !turn[d] || ts_box_periodic(box, d);
-			shift[d] = turn[d];
+		while (!*touches && ts_box_images_next(&images)) {
+			ts_box_images_place(box, images.shift, x, image);
+			TS_TRY(touch_one(m, sim, &m->item[k], image, radius, touches));
 		}
-		for (int d = 0; d < 3; d++)
-			image[d] = x[d] + ts_box_shift(box, shift, d);
-		for (size_t i = 0; exists && i < m->n && !*touches; i++)
-			TS_TRY(touch_one(m, sim, &m->item[i], image, radius, touches));
 	}
 	return TS_OK;
 }

@@ -7,6 +7,7 @@
 #include "box/domain.h"
 #include "contact/pair.h"
 #include "core/ranks.h"
+#include "geom/box_images.h"
 #include "geom/spherehash.h"
 #include "impact/exact_impacts.h"
 #include "mesh/mesh_distance.h"
@@ -196,20 +197,46 @@ static double gap_of_wall(const struct tsim *sim, const void *surface, const dou
 	return w->shape->gap(w, sim, x);
 }
 
+/* The largest displacement of a corner of this triangle in a step. */
+static double travel_of_triangle(const struct tsim *sim, const struct ts_mesh_surface *s, size_t t)
+{
+	double most = 0;
+
+	for (int k = 0; s->v && k < 3; k++)
+		most = fmax(most, ts_norm(s->v[t][k]));
+	return most * sim->clock.dt;
+}
+
 /* Distance from the mesh minus the displacement of the corners in a step. */
 static double gap_of_mesh(const struct tsim *sim, const void *surface, const double x[3])
 {
 	const struct ts_mesh_surface *s = surface;
 	double least = INFINITY;
 
-	for (size_t t = 0; t < s->mesh.n; t++) {
-		double most = 0;
-
-		for (int k = 0; s->v && k < 3; k++)
-			most = fmax(most, ts_norm(s->v[t][k]));
-		least = fmin(least, ts_mesh_distance(&s->mesh, t, x) - most * sim->clock.dt);
-	}
+	for (size_t t = 0; t < s->mesh.n; t++)
+		least = fmin(least, ts_mesh_distance(&s->mesh, t, x) - travel_of_triangle(sim, s, t));
 	return least;
+}
+
+/* The same as meets_surface for the images of a mesh, which may be far from the box. */
+static bool meets_mesh(const struct tsim *sim, size_t i, const struct ts_mesh_surface *s)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	double way = ts_norm(p->v[i]) * sim->clock.dt, most = 0, lo[3], hi[3], end[3];
+	struct ts_box_images images;
+
+	for (size_t t = 0; t < s->mesh.n; t++)
+		most = fmax(most, travel_of_triangle(sim, s, t));
+	ts_mesh_bounds(&s->mesh, lo, hi);
+	images = ts_box_images(box, lo, hi, p->x[i], p->x[i],
+			       ts_box_images_way(box, way + most) + 2 * p->radius[i]);
+	while (ts_box_images_next(&images)) {
+		ts_box_images_place(box, images.shift, p->x[i], end);
+		if (reaches_surface(sim, i, end, gap_of_mesh, s))
+			return true;
+	}
+	return false;
 }
 
 static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
@@ -248,7 +275,7 @@ static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 	struct ts_instance *by;
 
 	for (size_t k = 0; (s = ts_mesh_surface_next(sim, &k, &by));) {
-		if (is_exact(sim, by, i) || !meets_surface(sim, i, gap_of_mesh, s))
+		if (is_exact(sim, by, i) || !meets_mesh(sim, i, s))
 			continue;
 		snprintf(what, room, " past mesh %.60s", by->id);
 		return true;

@@ -1,6 +1,8 @@
 /* Fix massflow/mesh: mass and number of particles that pass a mesh. */
 #include "base/sort.h"
+#include "box/domain.h"
 #include "core/ranks.h"
+#include "geom/box_images.h"
 #include "io/csv.h"
 #include "mesh/mesh_surface.h"
 #include "mesh/mesh_touch.h"
@@ -416,26 +418,40 @@ static enum ts_status add_passage(struct state *s, struct tsim *sim, int32_t tri
 	return ts_parcel_add(&s->passages, &passage, sizeof passage) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
-/* A particle is near a triangle if the distance of its centre is at most its radius plus half the skin of
- * the neighbour list. */
-static enum ts_status check_particle(struct state *s, struct tsim *sim, size_t i)
+/* x: the place of particle i as an image of the mesh sees it. */
+static enum ts_status check_image(struct state *s, struct tsim *sim, size_t i, const double x[3],
+				  double reach)
 {
-	const struct ts_particles *p = sim->particles;
 	double *mark = particle_mark(s, sim, i);
-	double reach = p->radius[i] + 0.5 * sim->neigh->built_skin;
 
-	if (*mark > DONE - 0.5)
-		return TS_OK;
-	if (ts_mesh_tree_near(&s->tree, &s->surface->mesh, p->x[i], reach, &s->list) != TS_OK)
+	if (ts_mesh_tree_near(&s->tree, &s->surface->mesh, x, reach, &s->list) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->list.n; k++) {
 		struct ts_mesh_contact_point at;
-		enum ts_mesh_part part =
-			ts_mesh_nearest(&s->surface->mesh, (size_t)s->list.item[k], p->x[i], &at);
+		enum ts_mesh_part part = ts_mesh_nearest(&s->surface->mesh, (size_t)s->list.item[k], x, &at);
 
 		if (part != TS_MESH_NOTHING && at.distance <= reach)
-			if (update_mark(s, mark, part, is_outside(s, p->x[i], &at)))
+			if (update_mark(s, mark, part, is_outside(s, x, &at)))
 				TS_TRY(add_passage(s, sim, s->list.item[k], i));
+	}
+	return TS_OK;
+}
+
+/* A particle is near a triangle, or a periodic image of one, if the distance of its centre is at most its radius plus half
+ * the skin of the neighbour list. */
+static enum ts_status check_particle(struct state *s, struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	double reach = p->radius[i] + 0.5 * sim->neigh->built_skin, x[3];
+	struct ts_box_images images =
+		ts_box_images(box, s->tree.lo[1], s->tree.hi[1], p->x[i], p->x[i], reach);
+
+	if (*particle_mark(s, sim, i) > DONE - 0.5)
+		return TS_OK;
+	while (ts_box_images_next(&images)) {
+		ts_box_images_place(box, images.shift, p->x[i], x);
+		TS_TRY(check_image(s, sim, i, x, reach));
 	}
 	return TS_OK;
 }
@@ -661,7 +677,8 @@ const struct ts_style ts_fix_massflow_mesh = {
 	       "is near the mesh if the distance of its centre is at most its radius plus half the skin of "
 	       "the neighbour list. It passes when it is near a face of the mesh with its centre on the "
 	       "outer side, and was on the inner side when it was near the mesh last. Particles that move "
-	       "around the rim are not counted. The mesh is no obstacle unless a fix wall/gran makes it a "
+	       "around the rim are not counted. Periodic images of the mesh count, too. The mesh is no "
+	       "obstacle unless a fix wall/gran makes it a "
 	       "wall.\n\n"
 	       "The outer side is the one to which vec_side points, or, for a mesh of any shape, the side "
 	       "where\n\n"

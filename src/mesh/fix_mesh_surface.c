@@ -49,7 +49,7 @@ const struct ts_style ts_fix_mesh_surface = {
 	       "force is up to twice that of the plane (not with model jkr).\n\n"
 	       "The centre of each triangle must be in the box, unless the face of the box is periodic or "
 	       "follows the mesh (`boundary m m m`). Across periodic faces particles interact with the "
-	       "periodic images of the triangles.\n\n"
+	       "periodic images of the triangles, also of a mesh that moves far out of the box.\n\n"
 	       "With surface_vel or surface_ang_vel the surface moves in its own plane like a conveyor belt "
 	       "while the mesh stays in place: in each triangle the velocity is projected onto its plane and "
 	       "scaled to its original magnitude.\n\n"

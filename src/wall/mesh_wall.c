@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "box/domain.h"
+#include "geom/box_images.h"
 #include "mesh/mesh_distance.h"
 #include "neigh/coincide.h"
 #include "neigh/drift_frame.h"
@@ -217,11 +218,16 @@ static enum ts_status check_images(struct tsim *sim, const struct ts_mesh_part_o
 				   double step, struct ts_mesh_list *list)
 {
 	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	const struct ts_mesh_tree *tree = &part->tree;
+	struct ts_box_images images = ts_box_images(box, tree->lo[1], tree->hi[1], p->x[i], p->x[i],
+						    p->radius[i] + ts_box_images_way(box, step));
 	double x[3];
 
-	for (int k = 0; k < 27; k++)
-		if (ts_box_image(&sim->domain->box, p->x[i], k, p->radius[i] + step, x))
-			TS_TRY(check_passage(sim, part, i, x, step, list));
+	while (ts_box_images_next(&images)) {
+		ts_box_images_place(box, images.shift, p->x[i], x);
+		TS_TRY(check_passage(sim, part, i, x, step, list));
+	}
 	return TS_OK;
 }
 
@@ -260,6 +266,5 @@ enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct 
 
 void ts_mesh_wall_position(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3])
 {
-	for (int d = 0; d < 3; d++)
-		x[d] = sim->particles->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
+	ts_box_images_place(&sim->domain->box, near->shift, sim->particles->x[i], x);
 }

@@ -1,9 +1,11 @@
 #include "wall/mesh_wall_search.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/parallel.h"
 #include "box/domain.h"
+#include "geom/box_images.h"
 #include "mesh/mesh_distance.h"
 
 #include "base/banned.h"
@@ -22,19 +24,6 @@ struct tile {
 	double lo[3], hi[3], radius; /* the largest of their search radii */
 };
 enum { MOST_IN_TILE = 64 };
-
-/* The range of periodic images of a mesh, in box lengths, that come within r of the interval lo .. hi in dimension `dim`. */
-static void image_range(const struct ts_box *box, const struct ts_mesh_tree *tree, int dim, double lo,
-			double hi, double r, int range[2])
-{
-	double length = ts_box_length(box, dim);
-
-	range[0] = range[1] = 0;
-	if (!ts_box_periodic(box, dim))
-		return;
-	range[0] = (int)ceil(fmin(fmax(-1e6, (lo - r - tree->hi[1][dim]) / length), 1e6));
-	range[1] = (int)floor(fmax(fmin(1e6, (hi + r - tree->lo[1][dim]) / length), -1e6));
-}
 
 /* Whether pairs of particle i with this mesh are listed. Immobile particles are listed where the load on
  * the mesh is summed. */
@@ -60,18 +49,11 @@ static double search_radius(const struct searching *s, size_t i)
 /* Whether the image is one of those that come near particle i. */
 static bool image_is_near(const struct searching *s, const struct ts_mesh_image *image, size_t i, double r)
 {
-	const struct ts_box *box = &s->sim->domain->box;
 	const struct ts_mesh_tree *tree = &s->mw->mesh[image->mesh].tree;
 	const double *x = s->sim->particles->xhold[i];
-	bool is = true;
+	struct ts_box_images images = ts_box_images(&s->sim->domain->box, tree->lo[1], tree->hi[1], x, x, r);
 
-	for (int d = 0; d < 3; d++) {
-		int range[2];
-
-		image_range(box, tree, d, x[d], x[d], r, range);
-		is &= range[0] <= image->shift[d] && image->shift[d] <= range[1];
-	}
-	return is;
+	return ts_box_images_have(&images, image->shift);
 }
 
 static void find_triangles(const struct searching *s, struct ts_mesh_image *image, size_t i, double r,
@@ -82,8 +64,7 @@ static void find_triangles(const struct searching *s, struct ts_mesh_image *imag
 	const struct ts_mesh *mesh = &part->surface->mesh;
 	double at[3];
 
-	for (int d = 0; d < 3; d++)
-		at[d] = s->sim->particles->xhold[i][d] - image->shift[d] * ts_box_length(box, d);
+	ts_box_images_place(box, image->shift, s->sim->particles->xhold[i], at);
 	if (ts_mesh_vicinity_near(&part->tree, mesh, at, r, &image->nearby, &out->list) != TS_OK ||
 	    TS_GROW(out->found, out->capacity, out->n + out->list.n) != TS_OK) {
 		out->failed = true;
@@ -134,13 +115,9 @@ static void try_image(const struct searching *s, const struct tile *tile, int32_
 	}
 	image = &out->image[out->images];
 	image->mesh = mesh;
-	for (int d = 0; d < 3; d++) {
-		double displacement = shift[d] * ts_box_length(&s->sim->domain->box, d);
-
-		image->shift[d] = shift[d];
-		lo[d] = tile->lo[d] - displacement;
-		hi[d] = tile->hi[d] - displacement;
-	}
+	memcpy(image->shift, shift, sizeof image->shift);
+	ts_box_images_place(&s->sim->domain->box, shift, tile->lo, lo);
+	ts_box_images_place(&s->sim->domain->box, shift, tile->hi, hi);
 	out->failed |= ts_mesh_vicinity_make(&part->tree, &part->surface->mesh, lo, hi, tile->radius,
 					     &image->nearby) != TS_OK;
 	out->images += image->nearby.candidate.n > 0;
@@ -149,15 +126,12 @@ static void try_image(const struct searching *s, const struct tile *tile, int32_
 static void find_images(const struct searching *s, const struct tile *tile, int32_t mesh,
 			struct ts_mesh_found_part *out)
 {
-	int range[3][2], shift[3];
+	const struct ts_mesh_tree *tree = &s->mw->mesh[mesh].tree;
+	struct ts_box_images images = ts_box_images(&s->sim->domain->box, tree->lo[1], tree->hi[1], tile->lo,
+						    tile->hi, tile->radius);
 
-	for (int d = 0; d < 3; d++)
-		image_range(&s->sim->domain->box, &s->mw->mesh[mesh].tree, d, tile->lo[d], tile->hi[d],
-			    tile->radius, range[d]);
-	for (shift[0] = range[0][0]; shift[0] <= range[0][1]; shift[0]++)
-		for (shift[1] = range[1][0]; shift[1] <= range[1][1]; shift[1]++)
-			for (shift[2] = range[2][0]; shift[2] <= range[2][1] && !out->failed; shift[2]++)
-				try_image(s, tile, mesh, shift, out);
+	while (!out->failed && ts_box_images_next(&images))
+		try_image(s, tile, mesh, images.shift, out);
 }
 
 static void search_tile(const struct searching *s, const struct tile *tile, struct ts_mesh_found_part *out)

@@ -1,5 +1,6 @@
 /* Walls of meshes with `impact exact`: the first touch of a moving sphere, in all periodic images. */
 #include "box/domain.h"
+#include "geom/box_images.h"
 #include "mesh/mesh_sweep.h"
 #include "wall/exact_surface.h"
 #include "wall/mesh_wall.h"
@@ -70,22 +71,28 @@ static enum ts_status sweep(const struct tsim *sim, const void *shape, size_t i,
 			    struct ts_mesh_list *list, bool *found, struct ts_exact_touch *out)
 {
 	const struct ts_mesh_wall *mw = shape;
-	double reach = path->radius + path->span * ts_norm(path->v);
+	const struct ts_box *box = &sim->domain->box;
 
 	*found = false;
 	for (size_t k = 0; k < mw->nmeshes; k++) {
 		const double *v = mw->mesh[k].velocity;
-		double x[3];
+		const struct ts_mesh_tree *tree = &mw->mesh[k].tree;
 		struct ts_sweep relative = *path;
+		struct ts_box_images images;
+		double x[3];
 
 		if (!mw->mesh[k].surface->mesh.n || !ts_in_group(sim->particles, i, mw->mesh[k].by->group))
 			continue;
 		ts_sub(path->v, v, relative.v);
 		ts_scale(1, path->x, x);
 		ts_axpy(path->span, v, x);
-		for (int image = 0; image < 27; image++)
-			if (ts_box_image(&sim->domain->box, x, image, reach, relative.x))
-				TS_TRY(sweep_image(mw, k, &relative, list, found, out));
+		images = ts_box_images(box, tree->lo[1], tree->hi[1], x, x,
+				       path->radius +
+					       ts_box_images_way(box, path->span * ts_norm(relative.v)));
+		while (ts_box_images_next(&images)) {
+			ts_box_images_place(box, images.shift, x, relative.x);
+			TS_TRY(sweep_image(mw, k, &relative, list, found, out));
+		}
 	}
 	return TS_OK;
 }

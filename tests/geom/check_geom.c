@@ -1,8 +1,9 @@
-/* The search for points that are near, against all pairs. */
+/* The search for points and for periodic images that are near, against all pairs and images. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "geom/box_images.h"
 #include "geom/pointhash.h"
 #include "math/rng.h"
 #include "math/vec3.h"
@@ -54,6 +55,52 @@ START_TEST(pointhash_agrees_with_all_pairs)
 }
 END_TEST
 
+/* Against all images out to 60 box lengths; the third axis is not periodic. A body longer than the box has several near, one
+ * that is smaller may have none. */
+START_TEST(images_near_agree_with_all_images)
+{
+	const struct ts_box box = { .lo = { -1, 0, 2 },
+				    .hi = { 1, 0.5, 3 },
+				    .face = { { TS_FACE_PERIODIC, TS_FACE_PERIODIC },
+					      { TS_FACE_PERIODIC, TS_FACE_PERIODIC },
+					      { TS_FACE_FIXED, TS_FACE_FIXED } } };
+	const double r = 0.15, size[3] = { 0.3, 2.2, 0.1 };
+	struct ts_rng rng = ts_rng_start(49979687, 0);
+	int none = 0, several = 0;
+
+	for (int n = 0; n < 200; n++) {
+		double lo[3], hi[3], x[3], at[3];
+		struct ts_box_images images;
+		int found = 0, expected = 0;
+
+		for (int d = 0; d < 3; d++) {
+			lo[d] = 20 * (ts_rng_uniform(&rng) - 0.5);
+			hi[d] = lo[d] + size[d];
+			x[d] = box.lo[d] + ts_box_length(&box, d) * ts_rng_uniform(&rng);
+		}
+		images = ts_box_images(&box, lo, hi, x, x, r);
+		while (ts_box_images_next(&images)) {
+			ts_box_images_place(&box, images.shift, x, at);
+			for (int d = 0; d < 2; d++)
+				ck_assert(at[d] >= lo[d] - r && at[d] <= hi[d] + r);
+			ck_assert_int_eq(images.shift[2], 0);
+			found++;
+		}
+		for (int k = -60; k <= 60; k++)
+			for (int m = -60; m <= 60; m++) {
+				ts_box_images_place(&box, (const int[3]){ k, m, 0 }, x, at);
+				expected += at[0] >= lo[0] - r && at[0] <= hi[0] + r && at[1] >= lo[1] - r &&
+					    at[1] <= hi[1] + r;
+			}
+		ck_assert_int_eq(found, expected);
+		none += !found;
+		several += found > 1;
+	}
+	ck_assert_int_gt(none, 20);
+	ck_assert_int_gt(several, 20);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("geom");
@@ -62,6 +109,7 @@ int main(void)
 	int failed;
 
 	tcase_add_test(tests, pointhash_agrees_with_all_pairs);
+	tcase_add_test(tests, images_near_agree_with_all_images);
 	suite_add_tcase(suite, tests);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);
