@@ -224,6 +224,8 @@ library_sources = \
 	src/box/lattice.c \
 	src/box/lattice.h \
 	src/contact/bond_cohesion.c \
+	src/contact/broken_bridges.c \
+	src/contact/broken_bridges.h \
 	src/contact/cohesive_bonds.c \
 	src/contact/cohesive_bonds.h \
 	src/contact/command_hard_particles.c \

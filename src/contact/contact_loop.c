@@ -1,5 +1,6 @@
 #include "contact/contact_loop.h"
 
+#include "contact/broken_bridges.h"
 #include "contact/contact_pass.h"
 #include "contact/contact_sums.h"
 #include "neigh/active_pairs.h"
@@ -97,7 +98,7 @@ static void compute_pair(const struct ts_contact_task *task, const struct ts_act
 	store_result(list, active->slot, m, &t, &f);
 }
 
-/* Ends a contact. If its liquid bridge still exists (contact/liquid.c has not cleared it), the bridge breaks.
+/* Ends a contact. If its liquid bridge still exists (contact/broken_bridges.c has not cleared it), the bridge breaks.
  */
 static void end_contact(const struct ts_contact_task *task, struct ts_active_block *block, size_t at)
 {
@@ -176,5 +177,5 @@ enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_
 		loop.share = ts_contact_share_generic;
 	TS_TRY(ts_contacts_compute(sim, &pass));
 	list->overwrite_sums = false;
-	return list->bridges_broken ? ts_liquid_redistribute(sim, pair) : TS_OK;
+	return list->bridge_column ? ts_broken_bridges_redistribute(sim, pair) : TS_OK;
 }

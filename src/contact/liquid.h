@@ -10,8 +10,6 @@
 
 #include "core/sim.h"
 
-struct ts_pair;
-
 struct ts_liquid {
 	size_t content, flux, source; /* indices of the particle columns */
 };
@@ -23,12 +21,5 @@ enum ts_status ts_liquid_init(struct tsim *sim, const struct ts_instance *self, 
 enum ts_status ts_liquid_archive(struct tsim *sim, struct ts_archive *archive, struct ts_liquid *liquid);
 /* In INITIAL_INTEGRATE: adds flux and source of one step to the content. */
 void ts_liquid_advance(struct tsim *sim, const struct ts_liquid *liquid);
-
-/* After the forces, if bridges have broken (list->bridges_broken): gives their liquid to the two particles in
- * proportion to their volumes. */
-enum ts_status ts_liquid_redistribute(struct tsim *sim, const struct ts_pair *pair);
-
-/* History value that marks, until the end of the force computation, a pair whose bridge has just broken. */
-enum { TS_BRIDGE_BROKEN = -1 };
 
 #endif

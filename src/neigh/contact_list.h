@@ -92,7 +92,7 @@ struct ts_contact_list {
 	size_t tag_capacity, turns_capacity, image_capacity;
 
 	enum ts_contact_results results;
-	bool bridges_broken; /* liquid bridges broke in this step: contact/liquid.h */
+	bool bridges_broken; /* liquid bridges broke in this step: contact/broken_bridges.h */
 	/* the next sums are the first forces of the step: they overwrite p->f instead of adding to it */
 	bool overwrite_sums;
 	/* By slot, `parts` vectors each: force (see ts_contact_force), then tangential and rolling torque if

@@ -191,10 +191,6 @@ const char *ts_division_refused(const struct tsim *sim)
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
 		if (p->dynamic[bit].every && chosen_by_all(sim, p->dynamic[bit].variable))
 			return "a dynamic group by a variable of all particles";
-	/* a bridge across a face has two entries, one of which may break alone, by rounding */
-	for (int dim = 0; dim < 3; dim++)
-		if (p->liquid && ts_box_periodic(&sim->domain->box, dim))
-			return "liquid on particles in a periodic box";
 	return NULL;
 }
 

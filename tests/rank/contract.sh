@@ -17,7 +17,7 @@ for deck in insertion rigid tracers heat pour clumps receding surface_heat multi
 cp "$decks/in.jet" in.nozzle
 sed 's/^run.*/run 250/' "$decks/in.gap" >in.gap
 # Liquid, and contacts as in LIGGGHTS.
-sed 's/^boundary.*/boundary f f f/; s/^run.*/run 120/' "$decks/in.bridges" >in.bridges
+sed 's/^run.*/run 120/; s/^dump.*/&\ndump_modify wet format float %.17g/' "$decks/in.bridges" >in.bridges
 sed '1s/^/legacy yes\n/; s/^run.*/run 200/' in.drum >in.legacy
 # Height fields, one of which is pressed on a plane.
 sed 's/^dump_modify.*/&\ncompute pressed all surface\/contact rough winkler 1e6 pressure 5e3\ncompute pi all active\/pi pressed radius 0.005 fraction 0.1 deviation 0.001 hardness 1e9\ncompute pml all active\/pml pressed radius 0.005 fraction 0.1/
@@ -129,7 +129,7 @@ film=film # needs HDF5 and ffmpeg
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
 turn=0
-for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor slabs slabs_cg slabs_out slabs_told slabs_grids insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges legacy crowd sheared; do
+for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor slabs slabs_cg slabs_out slabs_told slabs_grids insertion pour rock springs beams glue cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges seam legacy crowd sheared; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $(numbers_of 2x2 $((turn++))); do
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
