@@ -99,6 +99,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 		e->x[k] = p->x[j][k] + 0.5 * d[k];
 	for (int s = 0; s < 2; s++)
 		e->tag[s] = bonds->tag[b][s];
+	bonds->event_fresh[bonds->nevents - 1] = bonds->fresh[b];
 	bonds->broken++;
 	if (bonds->transmits)
 		TS_TRY(record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1]));

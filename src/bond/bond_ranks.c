@@ -207,6 +207,7 @@ const struct ts_carrier ts_bonds_carrier = { .give = give, .take = take };
 struct row {
 	struct ts_bond_event event;
 	double energy;
+	unsigned char fresh;
 };
 
 /* In the order in which one rank records them: by steps, in a step bonds that are too hot first, then by bonds. */
@@ -230,7 +231,7 @@ static int compare_with(const struct ts_bond_event *e, int64_t step, const int32
 	return ts_compare_int32_pair(e->tag, tag);
 }
 
-static bool broke_now(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
+static bool listed_bond_broke_now(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 {
 	const struct ts_bonds *b = sim->bonds;
 	const int32_t tag[2] = { tag_a < tag_b ? tag_a : tag_b, tag_a < tag_b ? tag_b : tag_a };
@@ -244,12 +245,13 @@ static bool broke_now(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 		else
 			hi = middle;
 	}
-	return lo < b->nevents && compare_with(&b->event[lo], sim->clock.step, tag) == 0;
+	return lo < b->nevents && compare_with(&b->event[lo], sim->clock.step, tag) == 0 &&
+	       !b->event_fresh[lo];
 }
 
 bool ts_bonds_were_listed(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 {
-	return ts_bonds_has_old(sim->bonds, tag_a, tag_b) || broke_now(sim, tag_a, tag_b);
+	return ts_bonds_has_old(sim->bonds, tag_a, tag_b) || listed_bond_broke_now(sim, tag_a, tag_b);
 }
 
 static enum ts_status pack_events(const struct ts_bonds *b, struct ts_parcel *out)
@@ -260,6 +262,7 @@ static enum ts_status pack_events(const struct ts_bonds *b, struct ts_parcel *ou
 		memset(&row, 0, sizeof row);
 		row.event = b->event[k];
 		row.energy = b->event_energy[k];
+		row.fresh = b->event_fresh[k];
 		TS_TRY(ts_parcel_add(out, &row, sizeof row));
 	}
 	return TS_OK;
@@ -278,7 +281,8 @@ static enum ts_status unpack_events(struct tsim *sim, struct ts_bonds *b, const 
 	b->nevents = b->ranks.events;
 	for (size_t k = 0; status == TS_OK && k < n; k++) {
 		b->event[b->nevents] = row[k].event;
-		b->event_energy[b->nevents++] = row[k].energy;
+		b->event_energy[b->nevents] = row[k].energy;
+		b->event_fresh[b->nevents++] = row[k].fresh;
 	}
 	ts_free(row);
 	return status;

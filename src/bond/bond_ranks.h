@@ -30,7 +30,7 @@ int32_t ts_bonds_row_of(const struct tsim *sim, const struct ts_identities *own,
 enum ts_status ts_bonds_connect_own(struct tsim *sim, struct ts_bonds *bonds);
 
 /* Whether particles were bonded when the contact list was built that is now made again for other particles: has a bond that is
- * not fresh, or one that broke by its force in this step. */
+ * not fresh, or one that was not and broke by its force in this step. */
 bool ts_bonds_were_listed(const struct tsim *sim, int32_t tag_a, int32_t tag_b);
 
 /* Slot `join`: numbers and events become those of all ranks. */

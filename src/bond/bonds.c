@@ -195,6 +195,8 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
 	if (!ts_archive_writing(a) && b->n)
 		memset(b->fresh, 1, b->n);
+	if (!ts_archive_writing(a) && b->nevents) /* a list will be built that has their pairs */
+		memset(b->event_fresh, 1, b->nevents);
 	TS_TRY(archive_moments(sim, b, a));
 	TS_TRY(archive_damage(sim, b, a));
 	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
@@ -261,6 +263,7 @@ static void release_bonds(struct ts_instance *self)
 	ts_bond_rows_release(&b->rows);
 	ts_free(b->event);
 	ts_free(b->event_energy);
+	ts_free(b->event_fresh);
 }
 
 static enum ts_status count_bonds(struct tsim *sim, double *out)

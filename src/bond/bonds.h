@@ -87,8 +87,9 @@ struct ts_bonds {
 	int64_t gone;		 /* total of unbroken bonds removed because a partner left the simulation */
 	struct ts_bond_event *event;
 	double *event_energy; /* elastic energy of the bond when it broke; NaN: no potential, or an old restart file */
-	size_t nevents, event_capacity, energy_capacity, reference_capacity, load_capacity, damage_capacity,
-		lost_capacity;
+	unsigned char *event_fresh; /* whether it was fresh when it broke: the contact list has its pair */
+	size_t nevents, event_capacity, energy_capacity, event_fresh_capacity, reference_capacity,
+		load_capacity, damage_capacity, lost_capacity;
 };
 
 /* Arguments of a bond law. */

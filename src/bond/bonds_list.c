@@ -111,7 +111,8 @@ enum ts_status ts_bonds_reserve_events(struct tsim *sim, size_t n)
 	struct ts_bonds *b = sim->bonds;
 
 	return TS_GROW(b->event, b->event_capacity, n) == TS_OK &&
-			       TS_GROW(b->event_energy, b->energy_capacity, n) == TS_OK
+			       TS_GROW(b->event_energy, b->energy_capacity, n) == TS_OK &&
+			       TS_GROW(b->event_fresh, b->event_fresh_capacity, n) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
 }
