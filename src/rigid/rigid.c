@@ -119,8 +119,11 @@ enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner)
 
 size_t ts_rigid_find(const struct ts_rigid *r, int32_t id)
 {
-	size_t b = ts_find_int32(r->id, r->n, sizeof *r->id, id);
+	size_t b = r->n && id > r->id[0] ? (size_t)(id - r->id[0]) : 0;
 
+	if (b < r->n && r->id[b] == id) /* mostly no body has been deleted */
+		return b;
+	b = ts_find_int32(r->id, r->n, sizeof *r->id, id);
 	return b < r->n && r->id[b] == id ? b : r->n;
 }
 
@@ -201,6 +204,21 @@ static enum ts_status keep_own_bodies(struct tsim *sim)
 	return TS_OK;
 }
 
+/* Once more the members, in the order in which bodies are visited, so that they are read one after the other. */
+static void list_rows(struct ts_rigid *r)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < r->ordered; k++) {
+		size_t b = (size_t)r->order[k];
+
+		r->row_start[k] = n;
+		for (size_t m = r->start[b]; m < r->start[b + 1]; m++)
+			r->row[n++] = r->member[m];
+	}
+	r->row_start[r->ordered] = n;
+}
+
 enum ts_status ts_rigid_list(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -215,7 +233,9 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 		TS_TRY(keep_own_bodies(sim));
 	if (TS_GROW(r->start, r->start_capacity, r->n + 2) != TS_OK ||
 	    TS_GROW(r->order, r->order_capacity, r->n) != TS_OK ||
-	    TS_GROW(r->member, r->member_capacity, n) != TS_OK)
+	    TS_GROW(r->row_start, r->row_start_capacity, r->n + 1) != TS_OK ||
+	    TS_GROW(r->member, r->member_capacity, n) != TS_OK ||
+	    TS_GROW(r->row, r->row_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
 	count_members(p, n, r);
 	for (size_t b = 2; b <= r->n; b++)
@@ -228,6 +248,7 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 	}
 	for (size_t b = 0; b < r->n; b++)
 		sort_members(p, r->member + r->start[b], r->start[b + 1] - r->start[b]);
+	list_rows(r);
 	r->generation = sim->generation;
 	return TS_OK;
 }
@@ -241,9 +262,8 @@ enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
 #pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
-	for (size_t l = 0; l < r->ordered; l++) {
-		size_t b = (size_t)r->order[l];
-		bool within = group == 0; /* all */
+	for (size_t b = 0; b < r->n; b++) {
+		bool within = group == 0 && r->start[b] < r->start[b + 1]; /* all */
 
 		for (size_t k = r->start[b]; k < r->start[b + 1] && !within; k++)
 			within = ts_in_group(p, (size_t)r->member[k], group);

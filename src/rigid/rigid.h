@@ -49,6 +49,10 @@ struct ts_rigid {
 	/* [ordered], bodies with members, in the order of their first members in memory */
 	int32_t *order;
 	size_t ordered, order_capacity;
+	/* the members of these, one body after the other: those of order[k] are row[row_start[k]] .. row[row_start[k + 1] - 1] */
+	int32_t *row;
+	size_t *row_start;
+	size_t row_capacity, row_start_capacity;
 	uint64_t generation; /* of the particles when members were listed; 0: not listed */
 	int64_t lost;	     /* particles that had been lost when bodies were checked */
 	/* Fails if a fix also integrates one of the members row[0..n-1]; set by the integrators. */

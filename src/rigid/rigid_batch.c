@@ -149,8 +149,8 @@ TS_INLINE void load_matrices(const struct lanes *l, size_t at, struct four_matri
 #define ZXY(a) TS_FOUR_SHUFFLE(a, a, 2, 0, 1, 3)
 #define CROSS(a, b) (YZX(a) * ZXY(b) - ZXY(a) * YZX(b))
 
-/* Position, unless it is up to date, and velocities of the members of body b; x, v, omega: its own. */
-TS_INLINE void set_members(struct tsim *sim, size_t b, const struct four_matrices *m, size_t k,
+/* Position, unless it is up to date, and velocities of the members of body order[turn]; x, v, omega: its own. */
+TS_INLINE void set_members(struct tsim *sim, size_t turn, const struct four_matrices *m, size_t k,
 			   const ts_four *x, const ts_four *v, const ts_four *omega)
 {
 	const struct ts_rigid *r = sim->rigid;
@@ -158,8 +158,8 @@ TS_INLINE void set_members(struct tsim *sim, size_t b, const struct four_matrice
 	const ts_four length = { ts_box_length(box, 0), ts_box_length(box, 1), ts_box_length(box, 2), 0 };
 	struct ts_particles *p = sim->particles;
 
-	for (size_t at = r->start[b]; at < r->start[b + 1]; at++) {
-		size_t i = (size_t)r->member[at];
+	for (size_t at = r->row_start[turn]; at < r->row_start[turn + 1]; at++) {
+		size_t i = (size_t)r->row[at];
 		const int32_t *image = p->image[i];
 		ts_four arm = ROTATED(m, k, p->body_x[i]), velocity = *v + CROSS(*omega, arm), place;
 
@@ -175,8 +175,6 @@ TS_INLINE void set_members(struct tsim *sim, size_t b, const struct four_matrice
 /* Of the bodies of all lanes. */
 TS_INLINE void set_all_members(struct tsim *sim, const struct lanes *l, size_t from, size_t n, bool positions)
 {
-	const struct ts_rigid *r = sim->rigid;
-
 	for (size_t at = 0; at < n; at += 4) {
 		struct four_matrices m;
 		ts_four x[4], v[4], omega[4];
@@ -186,23 +184,22 @@ TS_INLINE void set_all_members(struct tsim *sim, const struct lanes *l, size_t f
 		ts_four_rows(&l->of[INDEX(v)], at, v);
 		ts_four_rows(&l->of[INDEX(omega)], at, omega);
 		for (size_t k = 0; k < 4 && at + k < n; k++)
-			set_members(sim, (size_t)r->order[from + at + k], &m, k, positions ? &x[k] : NULL,
-				    &v[k], &omega[k]);
+			set_members(sim, from + at + k, &m, k, positions ? &x[k] : NULL, &v[k], &omega[k]);
 	}
 }
 
-/* Force and torque on a body. */
-TS_INLINE void sum_forces(struct tsim *sim, size_t b, const struct four_matrices *m, size_t k, ts_four *force,
-			  ts_four *torque)
+/* Force and torque on body order[turn]. */
+TS_INLINE void sum_forces(struct tsim *sim, size_t turn, const struct four_matrices *m, size_t k,
+			  ts_four *force, ts_four *torque)
 {
 	const struct ts_rigid *r = sim->rigid;
 	const struct ts_particles *p = sim->particles;
-	struct ts_body *body = &r->body[b];
+	struct ts_body *body = &r->body[r->order[turn]];
 
 	*force = TS_FOUR_LOAD(body->external);
 	*torque = (ts_four){ 0 };
-	for (size_t at = r->start[b]; at < r->start[b + 1]; at++) {
-		size_t i = (size_t)r->member[at];
+	for (size_t at = r->row_start[turn]; at < r->row_start[turn + 1]; at++) {
+		size_t i = (size_t)r->row[at];
 		ts_four arm = ROTATED(m, k, p->body_x[i]), f = TS_FOUR_LOAD(p->f[i]);
 
 		*force += f;
@@ -218,15 +215,13 @@ TS_INLINE void sum_forces(struct tsim *sim, size_t b, const struct four_matrices
 TS_INLINE void sum_all_forces(struct tsim *sim, size_t from, size_t n, struct lanes *l)
 {
 	_Static_assert(INDEX(torque) == INDEX(force) + 3 && INDEX(torque) + 3 < NUMBERS, "columns of four");
-	const struct ts_rigid *r = sim->rigid;
-
 	for (size_t at = 0; at < n; at += 4) {
 		struct four_matrices m;
 		ts_four force[4] = { { 0 } }, torque[4] = { { 0 } };
 
 		load_matrices(l, at, &m);
 		for (size_t k = 0; k < 4 && at + k < n; k++)
-			sum_forces(sim, (size_t)r->order[from + at + k], &m, k, &force[k], &torque[k]);
+			sum_forces(sim, from + at + k, &m, k, &force[k], &torque[k]);
 		ts_four_columns(force, &l->of[INDEX(force)], at);
 		ts_four_columns(torque, &l->of[INDEX(torque)], at);
 	}

@@ -202,6 +202,8 @@ static void fini(struct ts_instance *self)
 	ts_free(r->owner);
 	ts_free(r->member);
 	ts_free(r->order);
+	ts_free(r->row);
+	ts_free(r->row_start);
 	ts_free(r->start);
 }
 

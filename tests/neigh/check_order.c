@@ -1,10 +1,12 @@
 /* The order in memory follows space where there are many particles, and no result depends on it. */
 #include "deck.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/sim.h"
+#include "math/vec3.h"
 #include "neigh/neigh.h"
 #include "neigh/order.h"
 #include "particle/particles.h"
@@ -103,6 +105,58 @@ START_TEST(degenerate)
 }
 END_TEST
 
+/* Mean distance between particles that follow one another in memory. */
+static double step_in_memory(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	double sum = 0;
+
+	for (size_t i = 1; i < p->n; i++)
+		sum += sqrt(ts_distance2(p->x[i], p->x[i - 1]));
+	return sum / (double)(p->n - 1);
+}
+
+/* Clumps follow one another as in space, the members of each next to one another. */
+START_TEST(clumps)
+{
+	enum { CLUMPS = N / 3 + 2 };
+	struct tsim *sim = deck_open("boundary f f f\n"
+				     "region box block 0 1 0 1 0 1 units box\n"
+				     "create_box 1 box\n"
+				     "fix three all particletemplate/multisphere 15485863 atom_type 1 "
+				     "density constant 2500 nspheres 3 "
+				     "ntry 2000 spheres 0 0 0 0.01 0.011 0 0 0.009 0 0.01 0 0.008 type 1\n"
+				     "fix mix all particledistribution/discrete 32452843 1 three 1.0\n"
+				     "fix fill all insert/pack seed 49979687 distributiontemplate mix "
+				     "insert_every once overlapcheck yes "
+				     "orientation random all_in yes particles_in_region %d region box\n"
+				     "fix move all multisphere\n"
+				     "timestep 1e-5",
+				     (int)CLUMPS);
+	const struct ts_particles *p = sim->particles;
+	size_t changes = 0;
+
+	deck(sim, "run 1");
+	ck_assert_uint_eq(p->n, 3 * CLUMPS);
+	for (size_t i = 1; i < p->n; i++)
+		changes += p->body[i] != p->body[i - 1];
+	ck_assert_uint_eq(changes, CLUMPS - 1);
+	ck_assert_double_lt(step_in_memory(sim), 0.1);
+	tsim_close(sim);
+}
+END_TEST
+
+/* The members of one large body are sorted by place; any two are 0.66 apart. */
+START_TEST(large_body)
+{
+	struct tsim *sim = explode(true);
+
+	deck(sim, "unfix move\nfix whole all rigid single\nrun 1");
+	ck_assert_double_lt(step_in_memory(sim), 0.33);
+	tsim_close(sim);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("order");
@@ -110,6 +164,8 @@ int main(void)
 
 	tcase_set_timeout(tests, 60);
 	tcase_add_test(tests, same_bits);
+	tcase_add_test(tests, clumps);
+	tcase_add_test(tests, large_body);
 	tcase_add_loop_test(tests, degenerate, 0, 3);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);
