@@ -377,6 +377,8 @@ library_sources = \
 	src/coupling/added_mass.c \
 	src/coupling/added_mass.h \
 	src/coupling/axis_points.h \
+	src/coupling/cell_halves.c \
+	src/coupling/cell_halves.h \
 	src/coupling/cell_order.c \
 	src/coupling/cell_order.h \
 	src/coupling/cell_rows.c \
@@ -414,6 +416,12 @@ library_sources = \
 	src/coupling/interpolation_weights.h \
 	src/coupling/outside_grid.c \
 	src/coupling/outside_grid.h \
+	src/coupling/reactions.c \
+	src/coupling/reactions.h \
+	src/coupling/stencil_batch.c \
+	src/coupling/stencil_batch.h \
+	src/coupling/volume_batch.c \
+	src/coupling/volume_batch.h \
 	src/coupling/volume_distribution.c \
 	src/coupling/volume_distribution.h \
 	src/crosscheck/compare.c \
@@ -634,6 +642,8 @@ library_sources = \
 	src/formula/variable_text.c \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \
+	src/geom/ball_edges.c \
+	src/geom/ball_edges.h \
 	src/geom/box.h \
 	src/geom/box_images.c \
 	src/geom/box_images.h \
@@ -656,6 +666,8 @@ library_sources = \
 	src/grid/command_flow_grid.c \
 	src/grid/grid.c \
 	src/grid/grid.h \
+	src/grid/grid_halves.c \
+	src/grid/grid_halves.h \
 	src/group/chosen.h \
 	src/group/command_group.c \
 	src/group/compute_com.c \

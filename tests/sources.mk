@@ -282,6 +282,7 @@ unit_tests = \
 	tests/core/check_args \
 	tests/core/check_deferred_loops \
 	tests/core/check_styles \
+	tests/coupling/check_batches \
 	tests/coupling/check_coupling \
 	tests/coupling/check_drag \
 	tests/coupling/check_drag_order \
@@ -483,6 +484,10 @@ tests_core_check_deferred_loops_LDADD = $(tests_ldadd)
 tests_core_check_styles_SOURCES = tests/core/check_styles.c
 tests_core_check_styles_CFLAGS = $(tests_cflags)
 tests_core_check_styles_LDADD = $(tests_ldadd)
+
+tests_coupling_check_batches_SOURCES = tests/coupling/check_batches.c
+tests_coupling_check_batches_CFLAGS = $(tests_cflags)
+tests_coupling_check_batches_LDADD = $(tests_ldadd)
 
 tests_coupling_check_coupling_SOURCES = tests/coupling/check_coupling.c
 tests_coupling_check_coupling_CFLAGS = $(tests_cflags)

@@ -8,10 +8,16 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_particle_tally_start(struct tsim *sim, struct ts_particle_tally *tally)
+enum ts_status ts_particle_tally_start_unset(struct tsim *sim, struct ts_particle_tally *tally)
 {
 	TS_TRY(ts_particle_tally_start_empty(sim, tally));
 	tally->n = sim->particles->n;
+	return TS_OK;
+}
+
+enum ts_status ts_particle_tally_start(struct tsim *sim, struct ts_particle_tally *tally)
+{
+	TS_TRY(ts_particle_tally_start_unset(sim, tally));
 	if (tally->n)
 		memset(tally->note, 0, tally->n * sizeof *tally->note);
 	return TS_OK;

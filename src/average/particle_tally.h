@@ -17,6 +17,8 @@ struct ts_particle_tally {
 
 /* Allocates the numbers for all particles and sets them to 0. */
 enum ts_status ts_particle_tally_start(struct tsim *sim, struct ts_particle_tally *tally);
+/* The same, but the numbers of all particles are for the caller to set. */
+enum ts_status ts_particle_tally_start_unset(struct tsim *sim, struct ts_particle_tally *tally);
 /* The same for fixes of few particles: allocates room, and notes no particle yet. */
 enum ts_status ts_particle_tally_start_empty(struct tsim *sim, struct ts_particle_tally *tally);
 /* Appends `members` rows, to be written by the caller; returns the first. For several threads at once: the order of

@@ -83,28 +83,43 @@ static void use_own(struct ts_cell_sort *sort, const struct ts_particles *p)
 
 /* ---- sort */
 
+enum { BATCH = 64 };
+
+/* Of the rows from .. to - 1, BATCH at most. */
+static void find_cells_of(struct ts_cell_sort *sort, const struct ts_fluid *fluid, size_t from, size_t to)
+{
+	const int *n = fluid->grid.n;
+	double x[3][BATCH], place[3];
+	uint64_t all[BATCH];
+	int cell[3];
+
+	for (size_t k = 0; k < BATCH; k++)
+		for (int d = 0; d < 3; d++)
+			x[d][k] = from + k < to ? ts_cell_rows_x(&sort->of, from + k)[d] : 0;
+	ts_halves_find_all(&fluid->grid, (const double *const[3]){ x[0], x[1], x[2] }, to - from, all);
+	for (size_t i = from; i < to; i++) {
+		const uint64_t where = sort->where[i] = all[i - from];
+
+		if (where & TS_HALVES_ELSEWHERE)
+			sort->cell[i] = ts_coupling_locate(fluid, ts_cell_rows_x(&sort->of, i), place, cell)
+						? (cell[2] * n[1] + cell[1]) * n[0] + cell[0]
+						: -1;
+		else
+			sort->cell[i] =
+				(ts_halves_of(where, 2) / 2 * n[1] + ts_halves_of(where, 1) / 2) * n[0] +
+				ts_halves_of(where, 0) / 2;
+	}
+}
+
 /* Of the rows from .. of.n - 1. */
 static void find_cells(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid,
 		       size_t from)
 {
-	const struct ts_cell_rows *of = &sort->of;
-	const int *n = fluid->grid.n, most = 1 << TS_CELL_BITS;
+	const size_t n = sort->of.n;
 
-#pragma omp parallel for num_threads(ts_team(sim, of->n - from)) schedule(static)
-	for (size_t i = from; i < of->n; i++) {
-		const double *x = ts_cell_rows_x(of, i);
-		double place[3];
-		int cell[3];
-
-		sort->cell[i] = -1;
-		sort->where[i] = TS_CELL_ELSEWHERE;
-		if (!ts_coupling_locate(fluid, x, place, cell))
-			continue;
-		sort->cell[i] = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
-		if (memcmp(place, x, sizeof place) == 0 && cell[0] < most && cell[1] < most && cell[2] < most)
-			sort->where[i] = (uint64_t)cell[0] | (uint64_t)cell[1] << TS_CELL_BITS |
-					 (uint64_t)cell[2] << 2 * TS_CELL_BITS;
-	}
+#pragma omp parallel for num_threads(ts_team(sim, n - from)) schedule(static)
+	for (size_t i = from; i < n; i += BATCH)
+		find_cells_of(sort, fluid, i, i + BATCH < n ? i + BATCH : n);
 }
 
 static void sort_cell(const struct ts_cell_rows *of, int32_t *row, size_t from, size_t to)
@@ -297,8 +312,33 @@ void ts_cell_order_release(struct ts_cell_order *order)
 	*order = (struct ts_cell_order){ 0 };
 }
 
+static inline void fetch_row(const struct ts_cell_rows *of, size_t row)
+{
+	if (row >= of->own)
+		return;
+	__builtin_prefetch(&of->mask[row]);
+	__builtin_prefetch(of->x[row]);
+}
+
+/* The rows of the group from index *k on, before index `to`. */
+static size_t next_rows(const struct ts_cell_order *order, size_t *k, size_t to, int32_t *row)
+{
+	size_t n = 0;
+
+	for (; *k < to && n < TS_CELL_ORDER_ROWS; ++*k) {
+		const int32_t this = order->sort->row[*k];
+
+		if (*k + TS_CELL_ORDER_ROWS < to)
+			fetch_row(&order->sort->of, (size_t)order->sort->row[*k + TS_CELL_ORDER_ROWS]);
+		if (ts_cell_rows_mask(&order->sort->of, (size_t)this) >> order->group & 1)
+			row[n++] = this;
+	}
+	return n;
+}
+
 /* Even slabs, then odd slabs; with an odd number along a periodic axis the last slab by itself. */
-void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add, void *context)
+void ts_cell_order_each_rows(const struct ts_cell_order *order, int threads, ts_cell_order_rows_fn *add,
+			     void *context)
 {
 	int n = order->nslabs, alone = order->ring && n % 2 && n > 1;
 
@@ -306,12 +346,32 @@ void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_
 		int from = colour == 2 ? n - 1 : colour, to = n - (alone && colour < 2);
 
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-		for (int s = from; s < to; s += 2)
-			for (size_t k = order->slab[s]; k < order->slab[s + 1]; k++) {
-				size_t row = (size_t)order->sort->row[k];
+		for (int s = from; s < to; s += 2) {
+			int32_t row[TS_CELL_ORDER_ROWS];
+			size_t k = order->slab[s], nrows;
 
-				if (ts_cell_rows_mask(&order->sort->of, row) >> order->group & 1)
-					add(context, row);
-			}
+			while ((nrows = next_rows(order, &k, order->slab[s + 1], row)))
+				add(context, row, nrows);
+		}
 	}
+}
+
+struct each_row {
+	ts_cell_order_fn *add;
+	void *context;
+};
+
+static void add_each(void *context, const int32_t *row, size_t n)
+{
+	const struct each_row *each = context;
+
+	for (size_t k = 0; k < n; k++)
+		each->add(each->context, (size_t)row[k]);
+}
+
+void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add, void *context)
+{
+	struct each_row each = { add, context };
+
+	ts_cell_order_each_rows(order, threads, add_each, &each);
 }

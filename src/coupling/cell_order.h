@@ -8,6 +8,7 @@
 #ifndef TS_COUPLING_CELL_ORDER_H
 #define TS_COUPLING_CELL_ORDER_H
 
+#include "coupling/cell_halves.h"
 #include "coupling/cell_rows.h"
 #include "coupling/interpolation_weights.h"
 #include "flow/fluid.h"
@@ -19,7 +20,7 @@ struct ts_cell_sort {
 	bool divided;
 	/* indices of rows, sorted; cell of each row, or -1. Owned, as the arrays below */
 	int32_t *row, *cell;
-	uint64_t *where; /* the same as three numbers: ts_cell_order_locate */
+	uint64_t *where; /* the same, and the half of the cell: ts_halves_of */
 	size_t *start;	 /* of each cell: its first index in `row` */
 	size_t n;	 /* number of particles in the fluid */
 	/* The state of the own particles that was sorted: if nothing has changed, they are not sorted again. */
@@ -56,23 +57,18 @@ enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim,
 				  int group, int reach);
 void ts_cell_order_release(struct ts_cell_order *order);
 
-/* The cells of a particle along the three axes in one number; TS_CELL_ELSEWHERE: it is not found at its own coordinates,
- * but across a periodic face, or not at all. */
-enum { TS_CELL_BITS = 20 };
-#define TS_CELL_ELSEWHERE (UINT64_C(1) << 63)
-
 /* ts_coupling_locate for the particle of a row, after ts_cell_order_make, while nothing moves. */
 static inline bool ts_cell_order_locate(const struct ts_cell_order *order, const struct ts_fluid *fluid,
 					size_t row, double place[3], int cell[3])
 {
-	const uint64_t where = order->sort->where[row], mask = (UINT64_C(1) << TS_CELL_BITS) - 1;
+	const uint64_t where = order->sort->where[row];
 	const double *x = ts_cell_rows_x(&order->sort->of, row);
 
-	if (where & TS_CELL_ELSEWHERE)
+	if (where & TS_HALVES_ELSEWHERE)
 		return ts_coupling_locate(fluid, x, place, cell);
 	for (int d = 0; d < 3; d++) {
 		place[d] = x[d];
-		cell[d] = (int)(where >> TS_CELL_BITS * d & mask);
+		cell[d] = ts_halves_of(where, d) / 2;
 	}
 	return true;
 }
@@ -97,7 +93,13 @@ enum ts_status ts_cell_order_share(struct ts_cell_order *order, struct tsim *sim
  * them. */
 enum ts_status ts_cell_order_spread(struct ts_cell_order *order, struct tsim *sim, double *field);
 
-/* Calls `add` for the row of each particle of the group, in parallel for particles that add to different cells. */
+/* Calls `add` for rows of particles of the group, at most TS_CELL_ORDER_ROWS at once, in their order, in parallel for
+ * particles that add to different cells. */
+enum { TS_CELL_ORDER_ROWS = 32 };
+typedef void ts_cell_order_rows_fn(void *context, const int32_t *row, size_t n);
+void ts_cell_order_each_rows(const struct ts_cell_order *order, int threads, ts_cell_order_rows_fn *add,
+			     void *context);
+/* Calls `add` for the row of each particle of the group, likewise. */
 typedef void ts_cell_order_fn(void *context, size_t row);
 void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add, void *context);
 

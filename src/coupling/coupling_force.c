@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "coupling/interpolation_faces.h"
 #include "coupling/outside_grid.h"
+#include "coupling/reactions.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -98,70 +98,116 @@ static bool find_local_flow(const struct ts_instance *self, const struct ts_part
 	return true;
 }
 
-struct reactions {
-	struct ts_coupling_force *force;
-	struct ts_cell_numbers of;
-};
-
-static void add_reaction(void *data, size_t row)
-{
-	const struct reactions *r = data;
-	struct ts_fluid *fluid = r->force->fluid;
-	const struct ts_coupling_reaction reaction = { ts_cell_numbers_of(&r->of, row),
-						       NULL,
-						       { true, true, true } };
-	struct ts_coupling_place at = { .how = TS_INTERPOLATE_LINEAR };
-
-	if (ts_cell_order_locate(&r->force->order, fluid, row, at.x, at.cell))
-		ts_coupling_faces_react(fluid, &at, &reaction, NULL);
-}
-
 enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_coupling_force *s = self->state;
-	struct reactions reactions = { .force = s };
+	struct ts_reactions reactions = { .fluid = s->fluid,
+					  .order = &s->order,
+					  .how = TS_INTERPOLATE_LINEAR,
+					  .along = { true, true, true } };
 
 	if (!s->fluid || !s->two_way || style_of(self)->internal || sim->run.in_setup)
 		return TS_OK;
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
 	TS_TRY(ts_cell_order_share(&s->order, sim, (const double *)s->total.note, TS_PARTICLE_TALLY_MOST, 3,
-				   &reactions.of));
-	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_reaction, &reactions);
+				   &reactions.force));
+	ts_reactions_add(&reactions, ts_team(sim, s->order.sort->of.n));
 	s->fluid->apart = sim->division;
 	return TS_OK;
+}
+
+/* Particles without a force of the fluid: their number, and the lowest identity. */
+struct outside {
+	size_t n;
+	int64_t tag;
+};
+
+static void count_outside(struct outside *outside, const struct ts_particles *p, size_t i)
+{
+	outside->n++;
+	outside->tag = p->tag[i] < outside->tag ? p->tag[i] : outside->tag;
+}
+
+static void add_to_particle(struct ts_coupling_force *s, struct ts_particles *p, size_t i, const double f[3],
+			    const double torque[3])
+{
+	for (int k = 0; k < 3; k++) {
+		p->f[i][k] += f[k];
+		s->total.note[i][k] = f[k];
+		if (p->torque)
+			p->torque[i][k] += torque[k];
+	}
+}
+
+static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		      struct outside *outside)
+{
+	struct ts_coupling_force *s = self->state;
+	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
+	struct ts_coupling_local_flow around = { .density = flow->density(s->flow),
+						 .viscosity = flow->viscosity(s->flow) };
+	double f[3] = { 0 }, torque[3] = { 0 };
+
+	if (!find_local_flow(self, sim->particles, i, &around)) {
+		count_outside(outside, sim->particles, i);
+		return;
+	}
+	style_of(self)->force(self, sim, i, &around, f, torque);
+	add_to_particle(s, sim->particles, i, f, torque);
+}
+
+static void add_batch(const struct ts_instance *self, const struct tsim *sim, const size_t *of, size_t n,
+		      struct outside *outside)
+{
+	static const double none[3] = { 0 };
+	struct ts_coupling_force *s = self->state;
+	double f[TS_COUPLING_FORCE_BATCH][3];
+	bool inside[TS_COUPLING_FORCE_BATCH];
+
+	style_of(self)->forces(self, sim, of, n, f, inside);
+	for (size_t k = 0; k < n; k++) {
+		if (inside[k])
+			add_to_particle(s, sim->particles, of[k], f[k], none);
+		else
+			count_outside(outside, sim->particles, of[k]);
+	}
+}
+
+/* On particles of the group among `from` and those after it. */
+static void add_forces(const struct ts_instance *self, const struct tsim *sim, size_t from,
+		       struct outside *outside)
+{
+	const struct ts_coupling_force *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	size_t of[TS_COUPLING_FORCE_BATCH] = { 0 }, n = 0;
+
+	for (size_t i = from; i < p->n && i < from + TS_COUPLING_FORCE_BATCH; i++) {
+		memset(s->total.note[i], 0, sizeof *s->total.note);
+		if (ts_in_group(p, i, self->group))
+			of[n++] = i;
+	}
+	if (s->batches)
+		add_batch(self, sim, of, n, outside);
+	for (size_t k = 0; k < n && !s->batches; k++)
+		add_force(self, sim, of[k], outside);
 }
 
 enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_coupling_force *s = self->state;
 	const struct ts_coupling_force_style *style = style_of(self);
-	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
-	struct ts_particles *p = sim->particles;
-	double density = flow->density(s->flow), viscosity = flow->viscosity(s->flow);
+	const size_t n = sim->particles->n;
 	int64_t tag = INT64_MAX;
 	size_t outside = 0;
 
-	TS_TRY(ts_particle_tally_start(sim, &s->total));
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
-	reduction(+ : outside) reduction(min : tag)
-	for (size_t i = 0; i < p->n; i++) {
-		struct ts_coupling_local_flow around = { .density = density, .viscosity = viscosity };
-		double f[3] = { 0 }, torque[3] = { 0 };
+	TS_TRY(ts_particle_tally_start_unset(sim, &s->total));
+#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static) reduction(+ : outside)     	reduction(min : tag)
+	for (size_t i = 0; i < n; i += TS_COUPLING_FORCE_BATCH) {
+		struct outside here = { 0, tag };
 
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		if (!find_local_flow(self, p, i, &around)) {
-			outside++;
-			tag = p->tag[i] < tag ? p->tag[i] : tag;
-			continue;
-		}
-		style->force(self, sim, i, &around, f, torque);
-		for (int k = 0; k < 3; k++) {
-			p->f[i][k] += f[k];
-			s->total.note[i][k] = f[k];
-			if (p->torque)
-				p->torque[i][k] += torque[k];
-		}
+		add_forces(self, sim, i, &here);
+		outside += here.n;
+		tag = here.tag;
 	}
 	if (s->fluid)
 		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, outside, tag));

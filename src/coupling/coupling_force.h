@@ -11,9 +11,12 @@
 #include "flow/flow.h"
 #include "flow/fluid.h"
 
+enum { TS_COUPLING_FORCE_BATCH = 32 }; /* particles at once, if the style computes several */
+
 struct ts_coupling_force {
 	struct ts_flow_part part; /* first */
 	bool two_way;
+	bool batches; /* `forces` of the style is called instead of `force` */
 	struct ts_instance *flow;
 	struct ts_fluid *fluid; /* NULL: the flow is imposed, not solved for */
 	struct ts_cell_order order;
@@ -34,6 +37,10 @@ struct ts_coupling_force_style {
 	/* Adds the force on particle i to f, and its torque, if any, to `torque`. */
 	void (*force)(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		      const struct ts_coupling_local_flow *around, double f[3], double torque[3]);
+	/* The same for particles of[0] .. of[n - 1], without torques, if the state has `batches`; inside[k]: whether there
+	 * is fluid. NULL: none. */
+	void (*forces)(const struct ts_instance *self, const struct tsim *sim, const size_t *of, size_t n,
+		       double (*f)[3], bool *inside);
 	bool at_rest;  /* does not depend on velocities: u, slip and gradient are not computed */
 	bool sheared;  /* needs the velocity gradient */
 	bool solved;   /* needs a fluid that is solved for */

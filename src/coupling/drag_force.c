@@ -97,7 +97,8 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 
 struct drag_diagnostics {
 	double reynolds, stiffness; /* Re; c h/m if the force is explicit */
-	bool outside;		    /* the particle is outside the fluid */
+	size_t outside;		    /* particles outside the fluid */
+	int64_t tag;		    /* the lowest identity of them */
 };
 
 /* Slope of the force for the exchange over several steps: not larger than `most`, which takes the particle
@@ -105,7 +106,8 @@ struct drag_diagnostics {
  * prescribed. */
 static double exchange_slope(double steps, double slope, double most, double c, double part)
 {
-	double moving = fmin(steps * slope, fmax(slope, most));
+	const double limit = most > slope ? most : slope;
+	const double moving = steps * slope < limit ? steps * slope : limit;
 
 	return part == 1 ? moving : part * moving + (1 - part) * steps * c;
 }
@@ -121,55 +123,75 @@ static void unrestrained_fractions(const struct ts_drag *s, const struct tsim *s
 	}
 }
 
-/* Applies the explicit force to particle i. With schemes exact and implicit only the part that restraints
- * remove, so that the fix that removes it accounts for it. */
-static void apply_drag(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
-		       struct drag_diagnostics *found)
+static double greater(double a, double b)
 {
-	struct ts_drag *s = self->state;
-	struct ts_particles *p = sim->particles;
-	double h = sim->clock.dt, w[3], c, most, f[3], later[3] = { 0 }, part[3] = { 0 };
-	double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
-	bool held = ts_drag_motion_prescribed(s, sim, i), member = ts_rigid_member(p, i);
-	bool relaxes = ts_drag_is_late(self) && !held && !member;
+	return b > a ? b : a;
+}
 
-	if (!ts_drag_slip_at(self, p, i, slip, w)) {
-		found->outside = true;
-		return;
-	}
-	c = ts_drag_style_of(self)->coefficient(s, slip);
-	most = ts_drag_mass(s, sim, i) / h;
-	for (int k = 0; k < 3; k++)
-		f[k] = ts_drag_acts_along(s, k) ? c * w[k] : 0;
-	if (relaxes) {
-		s->relaxation[i].c = c;
-		memcpy(s->relaxation[i].w, w, sizeof w);
-		memcpy(later, f, sizeof f);
-		ts_restraints_apply(&s->restraints, sim, i, later);
-	}
-	if (s->part.after_step && !held && !relaxes)
+/* Applies the explicit force to particle i. */
+static void apply_explicitly(struct ts_drag *s, const struct tsim *sim, size_t i, double c, const double w[3],
+			     bool held)
+{
+	struct ts_particles *p = sim->particles;
+	const double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
+	const double most = ts_drag_mass(s, sim, i) / sim->clock.dt;
+	double part[3] = { 0 };
+
+	if (s->part.after_step && !held)
 		unrestrained_fractions(s, sim, i, part);
 	for (int k = 0; k < 3; k++) {
+		const double f = c * w[k];
+
 		if (!ts_drag_acts_along(s, k))
 			continue;
-		if (!relaxes || later[k] != f[k]) {
+		p->f[i][k] += f;
+		s->total.note[i][k] = f;
+		if (s->part.after_step && !ts_rigid_member(p, i))
+			s->exchange[i].slope[k] = exchange_slope(steps, c, most, c, part[k]);
+	}
+}
+
+/* Of the force of a drag that relaxes particle i only the part that restraints remove is applied, so that the fix that
+ * removes it accounts for it. */
+static void apply_restrained(struct ts_drag *s, const struct tsim *sim, size_t i, double c, const double w[3])
+{
+	struct ts_particles *p = sim->particles;
+	double f[3], later[3];
+
+	for (int k = 0; k < 3; k++)
+		later[k] = f[k] = ts_drag_acts_along(s, k) ? c * w[k] : 0;
+	ts_restraints_apply(&s->restraints, sim, i, later);
+	for (int k = 0; k < 3; k++)
+		if (ts_drag_acts_along(s, k) && later[k] != f[k]) {
 			p->f[i][k] += f[k] - later[k];
 			s->total.note[i][k] = f[k] - later[k];
 		}
-		if (s->part.after_step && !member && !relaxes)
-			s->exchange[i].slope[k] = exchange_slope(steps, c, most, c, part[k]);
-	}
+}
+
+static void apply_drag(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       const struct ts_slip *slip, const double w[3], struct drag_diagnostics *found)
+{
+	struct ts_drag *s = self->state;
+	const double c = ts_drag_style_of(self)->coefficient(s, slip);
+	const bool held = ts_drag_motion_prescribed(s, sim, i);
+
 	if (slip->viscosity > 0)
-		found->reynolds = fmax(found->reynolds, ts_slip_reynolds(slip));
-	if (!relaxes && !held)
-		found->stiffness = fmax(found->stiffness, c / most);
+		found->reynolds = greater(found->reynolds, ts_slip_reynolds(slip));
+	if (s->scheme != TS_DRAG_EXPLICIT && !held && !ts_rigid_member(sim->particles, i)) {
+		s->relaxation[i] = (struct ts_drag_relaxation){ c, { w[0], w[1], w[2] } };
+		if (s->restraints.n)
+			apply_restrained(s, sim, i, c, w);
+		return;
+	}
+	apply_explicitly(s, sim, i, c, w, held);
+	if (!held)
+		found->stiffness = greater(found->stiffness, c / (ts_drag_mass(s, sim, i) / sim->clock.dt));
 }
 
 static enum ts_status allocate_work(struct ts_drag *s, struct tsim *sim)
 {
 	size_t n = sim->particles->n;
 
-	TS_TRY(ts_particle_tally_start(sim, &s->total));
 	s->nexchange = 0;
 	if (s->scheme != TS_DRAG_EXPLICIT && TS_GROW(s->relaxation, s->relaxation_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -198,48 +220,83 @@ static enum ts_status pass_to_fluid(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
-enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
+/* Of the particles of the group from .. on, TS_DRAG_BATCH at most. */
+static void apply_drags(const struct ts_instance *self, const struct tsim *sim, size_t from,
+			struct ts_drag_slips *slips, struct drag_diagnostics *found)
 {
 	struct ts_drag *s = self->state;
-	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
-	double density = flow->density(s->flow), viscosity = flow->viscosity(s->flow);
-	double reynolds = 0, stiffness = 0;
 	const struct ts_particles *p = sim->particles;
+
+	slips->n = 0;
+	for (size_t i = from; i < p->n && i < from + TS_DRAG_BATCH; i++) {
+		clear_work(s, i);
+		memset(s->total.note[i], 0, sizeof *s->total.note);
+		if (ts_in_group(p, i, self->group))
+			slips->of[slips->n++] = i;
+	}
+	ts_drag_find_slips(self, p, slips);
+	for (size_t k = 0; k < slips->n; k++) {
+		const size_t i = slips->of[k];
+
+		if (slips->inside[k]) {
+			apply_drag(self, sim, i, &slips->slip[k], slips->w[k], found);
+			continue;
+		}
+		found->outside++;
+		found->tag = p->tag[i] < found->tag ? p->tag[i] : found->tag;
+	}
+}
+
+static struct drag_diagnostics apply_all_drags(const struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
+	const double density = flow->density(s->flow), viscosity = flow->viscosity(s->flow);
+	const size_t n = sim->particles->n;
+	double reynolds = 0, stiffness = 0;
 	int64_t tag = INT64_MAX;
 	size_t outside = 0;
 
+#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static)                            	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
+	for (size_t i = 0; i < n; i += TS_DRAG_BATCH) {
+		struct drag_diagnostics found = { reynolds, stiffness, 0, tag };
+		struct ts_drag_slips slips;
+
+		slips.density = density;
+		slips.viscosity = viscosity;
+		apply_drags(self, sim, i, &slips, &found);
+		reynolds = found.reynolds;
+		stiffness = found.stiffness;
+		outside += found.outside;
+		tag = found.tag;
+	}
+	return (struct drag_diagnostics){ reynolds, stiffness, outside, tag };
+}
+
+enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+	struct drag_diagnostics found;
+
 	TS_TRY(allocate_work(s, sim));
-	if (!(viscosity > 0))
-		return TS_OK;
+	if (!(ts_flow_style_of(s->flow)->viscosity(s->flow) > 0))
+		return ts_particle_tally_start(sim, &s->total);
 	if (s->fluid && s->two_way) {
 		TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
 		s->sorted = true;
 	}
 	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
-	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
-	for (size_t i = 0; i < p->n; i++) {
-		struct ts_slip slip = { .density = density, .viscosity = viscosity };
-		struct drag_diagnostics found = { 0, 0, false };
-
-		clear_work(s, i);
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		apply_drag(self, sim, i, &slip, &found);
-		reynolds = fmax(reynolds, found.reynolds);
-		stiffness = fmax(stiffness, found.stiffness);
-		outside += found.outside;
-		tag = found.outside && p->tag[i] < tag ? p->tag[i] : tag;
-	}
+	TS_TRY(ts_particle_tally_start_unset(sim, &s->total)); /* set with each particle */
+	found = apply_all_drags(self, sim);
 	if (s->fluid)
-		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, outside, tag));
-	s->reynolds = reynolds;
-	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->run.unsafe)
+		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, found.outside, found.tag));
+	s->reynolds = found.reynolds;
+	if (found.stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->run.unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "fix %s: a particle's velocity relaxes in %g, the explicit drag is stable for "
 			       "steps below twice that, and the step is %g: use scheme exact, or a smaller "
 			       "`timestep`",
-			       self->style->name, sim->clock.dt / stiffness, sim->clock.dt);
+			       self->style->name, sim->clock.dt / found.stiffness, sim->clock.dt);
 	return ts_drag_is_late(self) ? TS_OK : pass_to_fluid(self, sim);
 }
 
@@ -312,6 +369,26 @@ static enum ts_status combine_all_drags(struct ts_drag *first, struct tsim *sim)
 	return TS_OK;
 }
 
+/* relax_particle for the only drag, without restraints, along all axes. */
+static void relax_alone(struct ts_drag *s, const struct tsim *sim, size_t i, double steps)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_drag_relaxation *mine = &s->relaxation[i];
+	const double mass = ts_drag_mass(s, sim, i), h = sim->clock.dt;
+	const double slope = drag_slope(s->scheme, mine->c, mass, h);
+	const double exchange = exchange_slope(steps, slope, mass / h, mine->c, 1);
+
+	for (int k = 0; k < 3; k++) {
+		const double force =
+			drag_component(s->scheme, mine->c, slope, mine->w[k], p->f[i][k], mass, h);
+
+		if (s->part.after_step)
+			s->exchange[i].slope[k] = exchange;
+		p->f[i][k] += force;
+		s->total.note[i][k] += force;
+	}
+}
+
 static void relax_particle(const struct ts_instance *self, struct tsim *sim, size_t i)
 {
 	struct ts_drag *s = self->state;
@@ -351,15 +428,23 @@ enum ts_status ts_drag_relax(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
 	const struct ts_particles *p = sim->particles;
+	const double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
+	const bool alone = s->nlate == 1 && !s->restraints.n && ts_drag_acts_along(s, 0) &&
+			   ts_drag_acts_along(s, 1) && ts_drag_acts_along(s, 2);
 
 	if (!(ts_flow_style_of(s->flow)->viscosity(s->flow) > 0))
 		return TS_OK;
 	if (s->nlate > 1 && s->late[0] == s)
 		TS_TRY(combine_all_drags(s, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		if (s->relaxation[i].c != 0)
+	for (size_t i = 0; i < p->n; i++) {
+		if (s->relaxation[i].c == 0)
+			continue;
+		if (alone)
+			relax_alone(s, sim, i, steps);
+		else
 			relax_particle(self, sim, i);
+	}
 	return pass_to_fluid(self, sim);
 }
 

@@ -4,9 +4,8 @@
 #include <math.h>
 
 #include "coupling/drag_slip.h"
+#include "coupling/stencil_batch.h"
 #include "particle/particles.h"
-#include "particle/sphere_shape.h"
-#include "rigid/rigid.h"
 
 #include "base/banned.h"
 
@@ -59,37 +58,74 @@ static bool fluid_at(const struct ts_drag *s, const double x[3], size_t i, doubl
 	return true;
 }
 
-bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
-		     struct ts_slip *slip, double w[3])
+/* Whether the law takes the void fraction of the fluid. */
+static bool looks_for_void_fraction(const struct ts_instance *self)
 {
-	const struct ts_drag *s = self->state;
-	const bool looks = ts_drag_style_of(self)->crowded && isnan(s->fraction);
+	return ts_drag_style_of(self)->crowded && isnan(((const struct ts_drag *)self->state)->fraction);
+}
 
-	slip->empty = ts_drag_style_of(self)->crowded ? s->fraction : 1;
-	if (!s->fluid)
-		ts_flow_style_of(s->flow)->velocity(s->flow, p->x[i], w);
-	else if (!fluid_at(s, p->x[i], i, w, looks ? &slip->empty : NULL))
-		return false;
+/* From the velocity of the fluid in w. */
+static void set_slip(const struct ts_particles *p, size_t i, struct ts_slip *slip, double w[3])
+{
 	for (int k = 0; k < 3; k++)
 		w[k] -= p->v[i][k];
 	slip->diameter = 2 * p->radius[i];
 	slip->speed = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+}
+
+bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+		     struct ts_slip *slip, double w[3])
+{
+	const struct ts_drag *s = self->state;
+
+	slip->empty = ts_drag_style_of(self)->crowded ? s->fraction : 1;
+	if (!s->fluid)
+		ts_flow_style_of(s->flow)->velocity(s->flow, p->x[i], w);
+	else if (!fluid_at(s, p->x[i], i, w, looks_for_void_fraction(self) ? &slip->empty : NULL))
+		return false;
+	set_slip(p, i, slip, w);
 	return true;
 }
 
-double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
+/* In vectors of particles. */
+static void find_batch(const struct ts_instance *self, const struct ts_particles *p,
+		       struct ts_drag_slips *slips)
 {
-	const struct ts_particles *p = sim->particles;
+	const struct ts_drag *s = self->state;
+	const double fraction = ts_drag_style_of(self)->crowded ? s->fraction : 1;
+	const bool looks = looks_for_void_fraction(self);
+	double u[3][TS_STENCIL_BATCH], empty[TS_STENCIL_BATCH];
+	struct ts_stencil_batch batch;
 
-	if (!s->added.n)
-		return p->mass[i];
-	return p->mass[i] + ts_added_mass_density(&s->added, p, i) * ts_particle_volume(sim, p->radius[i]);
+	_Static_assert((int)TS_DRAG_BATCH <= (int)TS_STENCIL_BATCH, "all are a batch");
+	batch.n = 0;
+	for (size_t k = 0; k < slips->n && s->sorted; k++)
+		ts_stencil_batch_add(&batch, p->x[slips->of[k]], s->order.sort->where[slips->of[k]]);
+	if (!s->sorted)
+		ts_stencil_batch_find(&batch, &s->fluid->grid, (const double(*)[3])p->x, slips->of, slips->n);
+	ts_stencil_batch_velocity(&batch, s->fluid, u, looks ? s->fluid->void_fraction : NULL, empty,
+				  slips->inside);
+	for (size_t k = 0; k < slips->n; k++) {
+		for (int c = 0; c < 3; c++)
+			slips->w[k][c] = u[c][k];
+		slips->slip[k].empty = looks ? empty[k] : fraction;
+		set_slip(p, slips->of[k], &slips->slip[k], slips->w[k]);
+	}
 }
 
-bool ts_drag_motion_prescribed(const struct ts_drag *s, const struct tsim *sim, size_t i)
+void ts_drag_find_slips(const struct ts_instance *self, const struct ts_particles *p,
+			struct ts_drag_slips *slips)
 {
-	const struct ts_particles *p = sim->particles;
+	const struct ts_drag *s = self->state;
 
-	return p->imass[i] == 0 ||
-	       (!(p->mask[i] & s->moving_groups) && !sim->outside && !ts_rigid_member(p, i));
+	for (size_t k = 0; k < slips->n; k++) {
+		slips->slip[k].density = slips->density;
+		slips->slip[k].viscosity = slips->viscosity;
+	}
+	if (s->fluid && ts_stencil_batch_possible(s->fluid, s->interpolation)) {
+		find_batch(self, p, slips);
+		return;
+	}
+	for (size_t k = 0; k < slips->n; k++)
+		slips->inside[k] = ts_drag_slip_at(self, p, slips->of[k], &slips->slip[k], slips->w[k]);
 }

@@ -5,6 +5,7 @@
 
 #include "core/review.h"
 #include "coupling/interpolation_faces.h"
+#include "coupling/stencil_batch.h"
 #include "coupling/volume_distribution.h"
 #include "flow/projection.h"
 #include "force/restraint.h"
@@ -94,6 +95,27 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 		f[c] = -volume * gradient[c];
 }
 
+/* ---- many particles at once, interpolation linear */
+
+static void add_forces(const struct ts_instance *self, const struct tsim *sim, const size_t *of, size_t n,
+		       double (*f)[3], bool *inside)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double gradient[3][TS_STENCIL_BATCH];
+	struct ts_stencil_batch batch;
+
+	_Static_assert((int)TS_COUPLING_FORCE_BATCH <= (int)TS_STENCIL_BATCH, "all are a batch");
+	ts_stencil_batch_find(&batch, &s->force.fluid->grid, (const double(*)[3])p->x, of, n);
+	ts_stencil_batch_gradient(&batch, s->force.fluid, s->force.fluid->p, gradient, inside);
+	for (size_t k = 0; k < n; k++) {
+		const double volume = ts_particle_volume(sim, p->radius[of[k]]);
+
+		for (int c = 0; c < 3; c++)
+			f[k][c] = -volume * gradient[c][k];
+	}
+}
+
 /* ---- correction by the pressure of the step, which is known after it */
 
 static void correct_particle(struct ts_instance *self, const struct tsim *sim, size_t i, double share)
@@ -161,6 +183,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "volume"),
 			       "fix flow/pressure_gradient: interpolation volume needs a fix void_fraction, "
 			       "which says where the volume is");
+	s->force.batches = ts_stencil_batch_possible(s->force.fluid, s->how);
 	s->force.part.after_step = s->how == BY_VOLUME && whole ? correct_forces : NULL;
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
 	return s->force.part.after_step ? ts_fluid_require_fields(s->force.fluid, sim, TS_FLUID_P_MEAN)
@@ -231,6 +254,7 @@ const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 		TS_COUPLING_FORCE_SLOTS,
 	},
 	.force = add_force,
+	.forces = add_forces,
 	.at_rest = true,
 	.solved = true,
 	.internal = true,

@@ -7,6 +7,7 @@
 
 #include "coupling/cell_order.h"
 #include "coupling/interpolation_weights.h"
+#include "coupling/volume_batch.h"
 #include "coupling/volume_distribution.h"
 #include "flow/flow.h"
 #include "math/exactsum.h"
@@ -45,20 +46,60 @@ static void volume_distribution(const struct ts_instance *self, const struct tsi
 
 struct context {
 	const struct state *state;
-	const struct tsim *sim;
+	struct ts_coupling_volume how;
 };
 
-static void add_particle(void *data, size_t row)
+static void add_row(const struct context *c, size_t row)
 {
-	const struct context *c = data;
 	const struct state *s = c->state;
-	struct ts_coupling_volume how = distribution_of(s, c->sim);
 	double place[3];
 	int cell[3];
 
 	if (ts_cell_order_locate(&s->order, s->fluid, row, place, cell))
-		ts_coupling_volume_add(&s->fluid->grid, &how, place, cell,
+		ts_coupling_volume_add(&s->fluid->grid, &c->how, place, cell,
 				       ts_cell_rows_radius(&s->order.sort->of, row), s->fluid->void_fraction);
+}
+
+static void add_rows(void *data, const int32_t *row, size_t n)
+{
+	for (size_t k = 0; k < n; k++)
+		add_row(data, (size_t)row[k]);
+}
+
+static void add_to_batch(struct ts_volume_batch *batch, const struct ts_cell_sort *sort, size_t row)
+{
+	const double *x = ts_cell_rows_x(&sort->of, row);
+
+	for (int d = 0; d < 3; d++)
+		batch->x[d][batch->n] = x[d];
+	batch->radius[batch->n] = ts_cell_rows_radius(&sort->of, row);
+	batch->where[batch->n++] = sort->where[row];
+}
+
+static void add_batch(const struct context *c, struct ts_volume_batch *batch)
+{
+	ts_volume_batch_add(batch, &c->state->fluid->grid, &c->how, c->state->fluid->void_fraction);
+	batch->n = 0;
+}
+
+/* In batches, that end at particles which are found across a periodic face. */
+static void add_rows_in_batches(void *data, const int32_t *row, size_t n)
+{
+	const struct context *c = data;
+	const struct ts_cell_sort *sort = c->state->order.sort;
+	struct ts_volume_batch batch;
+
+	_Static_assert((int)TS_CELL_ORDER_ROWS <= (int)TS_VOLUME_BATCH, "all rows of a call are a batch");
+	batch.n = 0;
+	for (size_t k = 0; k < n; k++) {
+		if (!(sort->where[row[k]] & TS_HALVES_ELSEWHERE)) {
+			add_to_batch(&batch, sort, (size_t)row[k]);
+			continue;
+		}
+		add_batch(c, &batch);
+		add_row(c, (size_t)row[k]);
+	}
+	add_batch(c, &batch);
 }
 
 /* Method centre in a cell narrower than the particle may give a solid fraction above 1. */
@@ -190,13 +231,15 @@ static enum ts_status compare_particles(struct ts_instance *self, struct tsim *s
 static enum ts_status make_field(struct ts_instance *self, struct tsim *sim, double largest)
 {
 	struct state *s = self->state;
-	struct context context = { s, sim };
+	struct context context = { s, distribution_of(s, sim) };
+	const bool batches = ts_volume_batch_possible(&s->fluid->grid, &context.how);
 	int reach;
 
 	TS_TRY(check_reach(self, sim, largest, &reach));
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
 	memset(s->fluid->void_fraction, 0, s->fluid->grid.size * sizeof *s->fluid->void_fraction);
-	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_particle, &context);
+	ts_cell_order_each_rows(&s->order, ts_team(sim, s->order.sort->of.n),
+				batches ? add_rows_in_batches : add_rows, &context);
 	TS_TRY(ts_cell_order_spread(&s->order, sim, s->fluid->void_fraction));
 	limit_void_fraction(self, sim);
 	ts_fluid_fill_centred(s->fluid, s->fluid->void_fraction);

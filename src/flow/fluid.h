@@ -247,6 +247,9 @@ void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u
 /* The same at a place in the grid whose cell is known, and the value of a centred field (NULL: none). */
 void ts_fluid_velocity_in_cell(const struct ts_fluid *fluid, const double x[3], const int cell[3],
 			       double u[3], const double *field, double *value);
+/* The places along axis d, from *low to *high, with two points for each component: not those between a wall and the first
+ * point inside. In three dimensions. */
+void ts_fluid_two_points(const struct ts_fluid *fluid, int d, double *low, double *high);
 /* Value of a centred field at x, interpolated likewise, and its gradient (NULL: not computed). */
 double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const double x[3],
 		      double gradient[3]);

@@ -141,6 +141,16 @@ TS_INLINE bool has_two_points(const struct ts_fluid *fluid, int d, double x)
 		 !gives_tangential_velocity(fluid->face[d][TS_HIGH])));
 }
 
+void ts_fluid_two_points(const struct ts_fluid *fluid, int d, double *low, double *high)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const bool wall[2] = { !grid->periodic[d] && gives_tangential_velocity(fluid->face[d][TS_LOW]),
+			       !grid->periodic[d] && gives_tangential_velocity(fluid->face[d][TS_HIGH]) };
+
+	*low = wall[TS_LOW] ? grid->centre[d][0] : -INFINITY;
+	*high = wall[TS_HIGH] ? grid->centre[d][grid->n[d] - 1] : INFINITY;
+}
+
 static void velocity_by_stencils(const struct ts_fluid *fluid, const double x[3], const int cell[3],
 				 double u[3])
 {

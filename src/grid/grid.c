@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "grid/grid_halves.h"
 
 #include "base/banned.h"
 
@@ -83,12 +84,13 @@ enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3]
 		return TS_NOMEM;
 	for (int d = 0, at = 0; d < 3; at += NARRAYS * (int)lengths[d++])
 		make_axis(grid, d, face[d], grid->memory + at);
-	return TS_OK;
+	return ts_grid_halves_make(grid);
 }
 
 void ts_grid_release(struct ts_grid *grid)
 {
 	ts_free(grid->memory);
+	ts_free(grid->halves);
 	*grid = (struct ts_grid){ 0 };
 }
 

@@ -36,6 +36,9 @@ struct ts_grid {
 	double *width[3]; /* face[i+1] - face[i] */
 	double *gap[3];	  /* centre[i] - centre[i-1] */
 	double *memory;	  /* of all these arrays; owned */
+	const struct ts_grid_half
+		*half[3];	     /* of each half of a cell, from 0 to 2 n - 1; NULL in two dimensions */
+	struct ts_grid_half *halves; /* of all axes; owned */
 };
 
 /* Makes the grid from the coordinates of the faces of each axis: n[d] + 1 each, increasing. With
