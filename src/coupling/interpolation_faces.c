@@ -1,7 +1,5 @@
 #include "coupling/interpolation_faces.h"
 
-#include <string.h>
-
 #include "base/inline.h"
 #include "coupling/axis_points.h"
 
@@ -34,8 +32,7 @@ TS_INLINE bool has_weights(const struct axis *a)
 	return a->weight[0] != 0 && a->weight[1] != 0;
 }
 
-/* False for particles that need the general functions: a weight is 0, so that the field at its point does not count, or
- * neighbours along x are none in memory. */
+/* False for particles that need the general functions: a weight is 0, so that the field at its point does not count. */
 TS_INLINE bool find_axes(const struct ts_fluid *fluid, const struct ts_coupling_place *at, struct axes *axes)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -52,14 +49,14 @@ TS_INLINE bool find_axes(const struct ts_fluid *fluid, const struct ts_coupling_
 		if (!has_weights(&axes->centre[d]) || !has_weights(&axes->face[d]))
 			return false;
 	}
-	return axes->centre[0].at[1] == axes->centre[0].at[0] + 1 &&
-	       axes->face[0].at[1] == axes->face[0].at[0] + 1;
+	return true;
 }
 
 /* The points of component c. */
 struct component {
 	const struct axis *x, *y, *z;
 	ptrdiff_t row[ROWS]; /* the first point of each */
+	ptrdiff_t step;	     /* from there to the second one, not 1 across a periodic face */
 };
 
 TS_INLINE struct component component_of(const struct ts_grid *grid, const struct axes *axes, int c)
@@ -67,11 +64,13 @@ TS_INLINE struct component component_of(const struct ts_grid *grid, const struct
 	struct component s = { c == 0 ? &axes->face[0] : &axes->centre[0],
 			       c == 1 ? &axes->face[1] : &axes->centre[1],
 			       c == 2 ? &axes->face[2] : &axes->centre[2],
-			       { 0 } };
+			       { 0 },
+			       0 };
 
 #pragma GCC unroll 4
 	for (int k = 0; k < ROWS; k++)
 		s.row[k] = (ptrdiff_t)grid->origin + s.x->at[0] + s.y->at[k & 1] + s.z->at[k >> 1];
+	s.step = s.x->at[1] - s.x->at[0];
 	return s;
 }
 
@@ -80,12 +79,9 @@ TS_INLINE pair row_weight(const struct component *s, int k)
 	return (pair){ s->x->weight[0], s->x->weight[1] } * s->y->weight[k & 1] * s->z->weight[k >> 1];
 }
 
-TS_INLINE pair load(const double *from)
+TS_INLINE pair load(const double *from, ptrdiff_t step)
 {
-	pair a;
-
-	memcpy(&a, from, sizeof a);
-	return a;
+	return (pair){ from[0], from[step] };
 }
 
 TS_INLINE double add_terms(double sum, pair term)
@@ -153,7 +149,7 @@ void ts_coupling_faces_interpolate(const struct ts_fluid *fluid, const struct ts
 
 #pragma GCC unroll 4
 		for (int k = 0; k < ROWS; k++)
-			sum = add_terms(sum, row_weight(&s, k) * load(field[c] + s.row[k]));
+			sum = add_terms(sum, row_weight(&s, k) * load(field[c] + s.row[k], s.step));
 		out[c] = sum;
 	}
 }
@@ -182,7 +178,9 @@ void ts_coupling_faces_gradient(const struct ts_fluid *fluid, const struct ts_co
 			const pair by = { c == 0 ? gap[0] : other, c == 0 ? gap[1] : other };
 
 			sum = add_terms(sum, row_weight(&s, k) *
-						     (load(field + s.row[k]) - load(below + s.row[k])) / by);
+						     (load(field + s.row[k], s.step) -
+						      load(below + s.row[k], s.step)) /
+						     by);
 		}
 		out[c] = sum;
 	}
@@ -199,10 +197,10 @@ TS_INLINE pair widths(const struct ts_grid *grid, int c, int d, const struct axi
 }
 
 /* One number after the other: a load of two would wait for the stores of the particle before. */
-TS_INLINE void add_to_points(double *field, pair amount)
+TS_INLINE void add_to_points(double *field, ptrdiff_t step, pair amount)
 {
 	field[0] += amount[0];
-	field[1] += amount[1];
+	field[step] += amount[1];
 }
 
 TS_INLINE double react_along(struct ts_fluid *fluid, const struct axes *axes, int c, double amount,
@@ -216,12 +214,12 @@ TS_INLINE double react_along(struct ts_fluid *fluid, const struct axes *axes, in
 #pragma GCC unroll 4
 	for (int k = 0; k < ROWS; k++) {
 		const pair volume = x * y[k & 1] * z[k >> 1], weight = row_weight(&s, k);
-		const pair value = load(fluid->u[c] + s.row[k]);
+		const pair value = load(fluid->u[c] + s.row[k], s.step);
 
 		sum = add_terms(sum, weight * value);
-		add_to_points(fluid->force[c] + s.row[k], weight * (slope * value - amount) / volume);
+		add_to_points(fluid->force[c] + s.row[k], s.step, weight * (slope * value - amount) / volume);
 		if (rates)
-			add_to_points(fluid->exchange[c] + s.row[k], weight * slope / volume);
+			add_to_points(fluid->exchange[c] + s.row[k], s.step, weight * slope / volume);
 	}
 	return sum;
 }

@@ -148,6 +148,7 @@ START_TEST(interpolations)
 				ts_stencil_batch_velocity(&again, &fluid, u, fluid.u[2], value, inside[2]);
 		}
 		for (size_t k = 0; k < n; k++) {
+			struct ts_coupling_weights weights[3];
 			struct ts_coupling_place at;
 			const bool in = place_of(&b, &fluid, k, &at);
 
@@ -155,9 +156,13 @@ START_TEST(interpolations)
 			if (!in)
 				continue;
 			ninside++;
-			ts_coupling_faces_interpolate(&fluid, &at, fluid.u, alone);
+			ts_coupling_weights_faces(&fluid, at.x, at.cell, at.how, weights);
+			for (int c = 0; c < 3; c++)
+				alone[c] = ts_coupling_interpolate(&fluid.grid, &weights[c], fluid.u[c]);
 			same_numbers((const double(*)[N])linear, k, alone);
-			ts_coupling_faces_gradient(&fluid, &at, fluid.u[1], alone);
+			for (int c = 0; c < 3; c++)
+				alone[c] = ts_coupling_interpolate_gradient(&fluid.grid, &weights[c], c,
+									    fluid.u[1]);
 			same_numbers((const double(*)[N])gradient, k, alone);
 			ts_fluid_velocity_in_cell(&fluid, at.x, at.cell, alone, fluid.u[2], &one);
 			same_numbers((const double(*)[N])u, k, alone);
@@ -173,13 +178,24 @@ static void react_alone(const struct ts_stencil_batch *b, struct ts_fluid *fluid
 			const struct ts_stencil_reactions *of, double velocity[N][3])
 {
 	for (size_t k = 0; k < b->n; k++) {
-		const struct ts_coupling_reaction reaction = { of->amount[k],
-							       of->sloped ? of->slope[k] : NULL,
-							       { of->along[0], of->along[1], of->along[2] } };
+		struct ts_coupling_weights weights[3];
 		struct ts_coupling_place at;
 
-		if (place_of(b, fluid, k, &at))
-			ts_coupling_faces_react(fluid, &at, &reaction, of->velocity[k] ? velocity[k] : NULL);
+		if (!place_of(b, fluid, k, &at))
+			continue;
+		ts_coupling_weights_faces(fluid, at.x, at.cell, at.how, weights);
+		for (int c = 0; c < 3; c++) {
+			const double u =
+				of->along[c]
+					? ts_coupling_distribute_force(&fluid->grid, &weights[c], c,
+								       fluid->u[c], of->amount[k][c],
+								       of->sloped ? of->slope[k][c] : 0,
+								       fluid->force[c],
+								       of->sloped ? fluid->exchange[c] : NULL)
+					: 0;
+
+			velocity[k][c] = of->velocity[k] && of->along[c] ? u : velocity[k][c];
+		}
 	}
 }
 
