@@ -86,6 +86,7 @@ static void check_timeout(struct tsim *sim)
 {
 	if (!(sim->world ? sim->run.timed_out : ts_sim_time_is_up(sim)))
 		return;
+	sim->run.timed_out = false;
 	ts_log(&sim->log, "Wall time limit reached at step %" PRId64 "\n", sim->clock.step);
 	sim->clock.last_step = sim->clock.step;
 	sim->run.halted = true;

@@ -168,7 +168,8 @@ static bool stage_is_due(const struct ts_plan *plan, const struct tsim *sim, enu
 /* Whether it is the last step of a run whose end all ranks are to have. */
 static bool ends_whole(const struct ts_plan *plan, const struct tsim *sim)
 {
-	return sim->clock.step == sim->clock.last_step && !ts_ranks_may_pause(plan, sim);
+	return (sim->clock.step == sim->clock.last_step || sim->run.timed_out) &&
+	       !ts_ranks_may_pause(plan, sim);
 }
 
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim)

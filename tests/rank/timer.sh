@@ -36,6 +36,21 @@ for n in $(numbers_of '2 7' 1); do
 	done
 done
 
+# A fluid of which each rank has its planes only: all have all of it after the step.
+# shellcheck disable=SC2016
+sed '/^dump/d; s/^run 40/timer timeout 0 every 5\nrun 40\ntimer timeout off/; s/^run 30/run 9\nprint "at $(flow_ke) $(flow_px)"\nwrite_dump all flow\/vtk ${out}.vtr/' \
+	"$top_srcdir/tests/rank/scenes/in.slabs" >in.planes
+"$TSIM" -in in.planes -log log.1 -screen none -var out one >out 2>&1
+report 'planes: alone' $? out
+told log.1 >told.1
+for n in 2 3; do
+	on_ranks $n "$TSIM" -in in.planes -log "log.$n" -screen none -var out many >out 2>&1 </dev/null
+	report "planes: on $n ranks" $? out
+	told "log.$n" >"told.$n"
+	same "planes: lines of $n ranks" told.1 "told.$n"
+	same "planes: fluid of $n ranks" one.vtr many.vtr
+done
+
 # Whatever the step is: what the ranks have then is what one rank has after as many steps.
 {
 	cat in.start
