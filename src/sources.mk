@@ -562,6 +562,8 @@ library_sources = \
 	src/flow/fluid.h \
 	src/flow/fluid_ghosts.c \
 	src/flow/fluid_interpolation.c \
+	src/flow/fluid_slabs.c \
+	src/flow/fluid_slabs.h \
 	src/flow/implicit_viscosity.c \
 	src/flow/implicit_viscosity.h \
 	src/flow/operators.c \

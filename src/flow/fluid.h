@@ -19,6 +19,7 @@
 #include "core/sim.h"
 #include "flow/cell_owners.h"
 #include "grid/grid.h"
+#include "rank/slabs.h"
 
 /* Boundary condition of a face of the grid. */
 enum ts_flow_face {
@@ -89,7 +90,8 @@ struct ts_fluid {
 		bool some;
 		int from, to;
 	} planes;
-	double *p_mean; /* mean of the pressure over the stages and substeps of the last step */
+	const struct ts_slabs *slabs; /* of ranks that make a step together: fluid_slabs.h; NULL: none */
+	double *p_mean;		      /* mean of the pressure over the stages and substeps of the last step */
 
 	double dt;	   /* length of the last step of the fluid (time units); 0: there was none */
 	double time;	   /* of the fields */

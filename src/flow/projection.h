@@ -56,6 +56,7 @@ struct ts_projection {
 	double *second_stage[3]; /* a second predictor, for schemes of several stages */
 	double *history[3];	 /* ab2: rate of change of u in the step before */
 	double history_dt;	 /* ab2: length of that step; 0: there is none */
+	bool history_apart;	 /* ab2: each rank has the history of its own planes only */
 	double *increment;	 /* implicit viscosity: change of the pressure */
 	double theta;		 /* implicit viscosity: weight of the new velocity, 1/2 or 1 */
 	/* Set by the search for regions that bodies close off (immersed/closed_regions.h) if what is given

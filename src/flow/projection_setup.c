@@ -175,6 +175,7 @@ enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 	if (ts_slabs_make(&p->slabs, sim->world, fluid->grid.n[2]) != TS_OK)
 		return ts_nomem(&sim->error);
 	p->poisson.slabs = &p->slabs;
+	fluid->slabs = &p->slabs;
 	TS_TRY(ts_projection_set_face_types(self, sim));
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
 	p->ghosts_filled = false;

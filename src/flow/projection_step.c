@@ -3,6 +3,7 @@
 
 #include "flow/boundary.h"
 #include "flow/flow_limits.h"
+#include "flow/fluid_slabs.h"
 #include "flow/implicit_viscosity.h"
 #include "flow/particle_sources.h"
 #include "flow/pressure_projection.h"
@@ -119,15 +120,16 @@ static double limit_of_parts(const struct tsim *sim, const struct ts_fluid *flui
 static void add_adams_bashforth(struct ts_projection *p, double *const out[3], double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
-	const size_t size = fluid->grid.size;
 	const double more = p->history_dt > 0 ? 0.5 * dt / p->history_dt : 0;
+	size_t first, end;
 
+	ts_fluid_slabs_values(fluid, &first, &end);
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		double *after = out[d], *rate = p->history[d];
 		const double *u = fluid->u[d];
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-		for (size_t k = 0; k < size; k++) {
+		for (size_t k = first; k < end; k++) {
 			double now = (after[k] - u[k]) / dt;
 
 			after[k] += dt * more * (now - rate[k]);
@@ -135,6 +137,7 @@ static void add_adams_bashforth(struct ts_projection *p, double *const out[3], d
 		}
 	}
 	p->history_dt = dt;
+	p->history_apart = p->slabs.active;
 }
 
 /* ---- a step */

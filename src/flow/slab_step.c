@@ -2,28 +2,20 @@
 
 #include <string.h>
 
+#include "flow/fluid_slabs.h"
 #include "flow/implicit_viscosity.h"
 
 #include "base/banned.h"
 
-/* Planes of a field with the ghosts of each plane; those across the last axis belong to the first and the last rank. */
-static struct ts_slabs_field field_of(const struct ts_projection *p, double *field)
-{
-	const struct ts_grid *grid = &p->fluid.grid;
-
-	return (struct ts_slabs_field){ field + ts_at(grid, -grid->ghosts[0], -grid->ghosts[1], 0),
-					(size_t)grid->stride[2], grid->ghosts[2], grid->ghosts[2] };
-}
-
 /* ---- which steps are divided */
 
-/* Implicit viscosity and Adams-Bashforth need fields of all planes. */
+/* Implicit viscosity needs fields of all planes. */
 static bool divides(const struct ts_projection *p, const struct tsim *sim)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 
 	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= sim->world->n &&
-	       p->viscous == TS_VISCOUS_EXPLICIT && !ts_flow_time_schemes[p->time].history;
+	       p->viscous == TS_VISCOUS_EXPLICIT;
 }
 
 /* Whether a style may evaluate a formula, which may read the fluid. */
@@ -87,7 +79,7 @@ void ts_slab_step_end(struct ts_projection *p)
 	p->slabs.active = false;
 }
 
-void ts_slab_step_complete(struct ts_projection *p)
+static void complete_fields(struct ts_projection *p)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
@@ -101,18 +93,32 @@ void ts_slab_step_complete(struct ts_projection *p)
 	fluid->planes.some = false;
 }
 
+static void complete_history(struct ts_projection *p)
+{
+	if (!p->history_apart)
+		return;
+	p->slabs.active = true;
+	for (int d = 0; d < p->fluid.grid.dimensions; d++)
+		ts_slab_step_share(p, p->history[d]);
+	p->slabs.active = p->history_apart = false;
+}
+
+void ts_slab_step_complete(struct ts_projection *p)
+{
+	complete_fields(p);
+	complete_history(p);
+}
+
 /* ---- in a step */
 
 void ts_slab_step_share(struct ts_projection *p, double *field)
 {
-	const struct ts_slabs_field all = field_of(p, field);
-
-	ts_slabs_share(&p->slabs, &all);
+	ts_fluid_slabs_share(&p->fluid, field);
 }
 
 static void share_beside(struct ts_projection *p, double *field, int below, int above)
 {
-	const struct ts_slabs_field all = field_of(p, field);
+	const struct ts_slabs_field all = ts_fluid_slabs_field(&p->fluid.grid, field);
 
 	ts_slabs_share_beside(&p->slabs, &all, below, above, p->fluid.grid.periodic[2]);
 }

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "flow/fluid_slabs.h"
+
 #include "base/banned.h"
 
 const char *const ts_scalar_schemes[] = { "vanleer", "central", "donor", NULL };
@@ -107,11 +109,12 @@ static void find_rate(const struct ts_transport *t, const struct ts_fluid *fluid
 		      int threads)
 {
 	const struct ts_grid *grid = &fluid->grid;
-	const int rows = grid->n[1] * grid->n[2];
+	long first, end;
 
+	ts_fluid_slabs_rows(fluid, &first, &end);
 #pragma omp parallel for num_threads(threads) schedule(static)
-	for (int row = 0; row < rows; row++) {
-		int i[3] = { 0, row % grid->n[1], row / grid->n[1] };
+	for (long row = first; row < end; row++) {
+		int i[3] = { 0, (int)(row % grid->n[1]), (int)(row / grid->n[1]) };
 
 		for (; i[0] < grid->n[0]; i[0]++) {
 			size_t at = ts_at(grid, i[0], i[1], i[2]);
@@ -131,31 +134,41 @@ double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *f
 {
 	const struct ts_grid *grid = &fluid->grid;
 	double most = 0;
+	long first, end;
 
-	for (int k = 0; k < grid->n[2]; k++)
-		for (int j = 0; j < grid->n[1]; j++)
-			for (int i = 0; i < grid->n[0]; i++) {
-				const int m[3] = { i, j, k };
-				size_t at = ts_at(grid, i, j, k);
-				double sum = 0;
+	ts_fluid_slabs_rows(fluid, &first, &end);
+	for (long row = first; row < end; row++) {
+		int m[3] = { 0, (int)(row % grid->n[1]), (int)(row / grid->n[1]) };
 
-				for (int d = 0; d < grid->dimensions; d++) {
-					double h = grid->width[d][m[d]];
-					double u = fmax(fabs(fluid->u[d][at]),
-							fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
+		for (; m[0] < grid->n[0]; m[0]++) {
+			size_t at = ts_at(grid, m[0], m[1], m[2]);
+			double sum = 0;
 
-					sum += 2 * u / h + 2 * t->diffusivity / (h * h);
-				}
-				most = fmax(most, sum);
+			for (int d = 0; d < grid->dimensions; d++) {
+				double h = grid->width[d][m[d]];
+				double u = fmax(fabs(fluid->u[d][at]),
+						fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
+
+				sum += 2 * u / h + 2 * t->diffusivity / (h * h);
 			}
+			most = fmax(most, sum);
+		}
+	}
+	most = ts_fluid_slabs_most(fluid, most);
 	return most > 0 ? 1 / most : INFINITY;
+}
+
+static double void_fraction_after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k,
+				  double dt)
+{
+	return t->void_fraction[k] + dt * fluid->void_fraction_rate[k];
 }
 
 /* Returns `part` times T after dt, from the rate of e T; t->void_fraction is not changed. */
 static double value_after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
 			  double content, double dt)
 {
-	double e = t->void_fraction ? t->void_fraction[k] + dt * fluid->void_fraction_rate[k] : 1;
+	double e = t->void_fraction ? void_fraction_after(t, fluid, k, dt) : 1;
 
 	return e > 0 ? part * (content + dt * t->rate[k]) / e : 0; /* e is 0 in the padding between rows */
 }
@@ -164,25 +177,29 @@ static double value_after(const struct ts_transport *t, const struct ts_fluid *f
  * second Euler step. */
 static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
 {
-	const size_t size = fluid->grid.size;
 	double *e = t->void_fraction;
+	size_t first, end;
 
+	ts_fluid_slabs_values(fluid, &first, &end);
 	ts_transport_fill(t, fluid, t->value);
 	find_rate(t, fluid, t->value, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
-	for (size_t k = 0; k < size; k++)
+	for (size_t k = first; k < end; k++)
 		t->stage[k] = value_after(t, fluid, k, 1, (e ? e[k] : 1) * t->value[k], dt);
+	ts_fluid_slabs_share(fluid, t->stage);
 	ts_transport_fill(t, fluid, t->stage);
 	find_rate(t, fluid, t->stage, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
-	for (size_t k = 0; k < size; k++) {
-		double then = e ? e[k] + dt * fluid->void_fraction_rate[k] : 1;
+	for (size_t k = first; k < end; k++) {
+		double then = e ? void_fraction_after(t, fluid, k, dt) : 1;
 
 		t->value[k] =
 			value_after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
-		if (e)
-			e[k] = then;
 	}
+	ts_fluid_slabs_share(fluid, t->value);
+#pragma omp parallel for num_threads(threads) schedule(static)
+	for (size_t k = 0; k < (e ? fluid->grid.size : 0); k++)
+		e[k] = void_fraction_after(t, fluid, k, dt);
 }
 
 long ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)

@@ -1,0 +1,18 @@
+/* The planes of a fluid that a rank computes in a step that ranks divide (fluid->slabs is active); else, or without ranks, all. */
+#ifndef TS_FLOW_FLUID_SLABS_H
+#define TS_FLOW_FLUID_SLABS_H
+
+#include "flow/fluid.h"
+
+/* Planes of a field with the ghosts of each plane; those across the last axis belong to the first and the last rank. */
+struct ts_slabs_field ts_fluid_slabs_field(const struct ts_grid *grid, double *field);
+/* Rows of cells along the first axis, first .. end - 1, of this rank: row = j + k n[1]. */
+void ts_fluid_slabs_rows(const struct ts_fluid *fluid, long *first, long *end);
+/* The values first .. end - 1 of a field, ghosts included, that are those of this rank. */
+void ts_fluid_slabs_values(const struct ts_fluid *fluid, size_t *first, size_t *end);
+/* All ranks get all planes of a field. */
+void ts_fluid_slabs_share(const struct ts_fluid *fluid, double *field);
+/* The largest of the values of all ranks. */
+double ts_fluid_slabs_most(const struct ts_fluid *fluid, double value);
+
+#endif
