@@ -1176,6 +1176,8 @@ library_sources = \
 	src/particle/rank_sums.h \
 	src/particle/reference.c \
 	src/particle/reference.h \
+	src/particle/shared_rows.c \
+	src/particle/shared_rows.h \
 	src/particle/sphere_shape.h \
 	src/particle/style_column.c \
 	src/particle/style_column.h \

@@ -11,6 +11,7 @@
 #      37    rank/soak.sh                   rank/contract.sh
 #      12    rank/plan.sh                   rank/check_blocks
 #      20    rank/pause.sh                  rank/contract.sh
+#       8    rank/memory.sh                 rank/contract.sh
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
 #      12    program/signal.sh              none: it waits for processes
@@ -83,6 +84,7 @@ slow_tests = \
 	tests/bench/race.sh \
 	tests/rank/balance.sh \
 	tests/rank/contract_ranks.sh \
+	tests/rank/memory.sh \
 	tests/rank/pause.sh \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \

@@ -110,17 +110,7 @@ size_t ts_copies_step_bytes(const struct ts_particles *p)
 	return bytes;
 }
 
-enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out)
-{
-	unsigned char *to = ts_parcel_extend(out, ts_copies_row_bytes(p));
-
-	if (!to)
-		return TS_NOMEM;
-	ts_copies_write(p, i, to);
-	return TS_OK;
-}
-
-void ts_copies_write(const struct ts_particles *p, size_t i, unsigned char *to)
+static void write_row(const struct ts_particles *p, size_t i, unsigned char *to)
 {
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		const struct ts_column *c = &p->column[k];
@@ -131,6 +121,16 @@ void ts_copies_write(const struct ts_particles *p, size_t i, unsigned char *to)
 		memcpy(to, (const char *)c->data + i * bytes, bytes);
 		to += bytes;
 	}
+}
+
+enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out)
+{
+	unsigned char *to = ts_parcel_extend(out, ts_copies_row_bytes(p));
+
+	if (!to)
+		return TS_NOMEM;
+	write_row(p, i, to);
+	return TS_OK;
 }
 
 void ts_copies_unpack(const struct ts_particles *p, size_t i, const unsigned char *from)

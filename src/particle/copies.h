@@ -73,9 +73,8 @@ void ts_copies_forward_forces(struct tsim *sim);
 /* Bytes that this sends of each copy. */
 size_t ts_copies_step_bytes(const struct ts_particles *p);
 
-/* Appends all columns of row i to a parcel, or writes them to `to`; the bytes of one; writes them to row i. */
+/* Appends all columns of row i to a parcel; the bytes of one; writes them to row i. */
 enum ts_status ts_copies_pack(const struct ts_particles *p, size_t i, struct ts_parcel *out);
-void ts_copies_write(const struct ts_particles *p, size_t i, unsigned char *to);
 size_t ts_copies_row_bytes(const struct ts_particles *p);
 void ts_copies_unpack(const struct ts_particles *p, size_t i, const unsigned char *bytes);
 

@@ -11,6 +11,7 @@
 #include "particle/carrier_rows.h"
 #include "particle/columns.h"
 #include "particle/identity.h"
+#include "particle/shared_rows.h"
 #include "particle/turning.h"
 
 #include "base/banned.h"
@@ -234,25 +235,6 @@ static enum ts_status append_particles(struct tsim *sim, const struct ts_parcel 
 	return TS_OK;
 }
 
-/* Appends the rows of the local particles with chosen[i]; NULL: of all. */
-static enum ts_status pack_particles(const struct ts_particles *p, const unsigned char *chosen,
-				     struct ts_parcel *out)
-{
-	size_t bytes = ts_copies_row_bytes(p), n = 0;
-	unsigned char *to;
-
-	for (size_t i = 0; i < p->n; i++)
-		n += !chosen || chosen[i];
-	to = ts_parcel_extend(out, n * bytes);
-	for (size_t i = 0; to && i < p->n; i++) {
-		if (chosen && !chosen[i])
-			continue;
-		ts_copies_write(p, i, to);
-		to += bytes;
-	}
-	return to ? TS_OK : TS_NOMEM;
-}
-
 /* Particles with to[i] of other ranks are sent there. */
 static enum ts_status send_particles(struct tsim *sim, const int32_t *to, unsigned char *gone)
 {
@@ -454,29 +436,6 @@ static void listen(struct tsim *sim, struct ts_division *d)
 
 /* ---- a look at all particles */
 
-/* Copies rows from .. from+n-1 of the first `columns` columns to or from `bytes`, column by column; returns the number
- * of bytes. bytes NULL: only counts them. */
-static size_t move_rows(const struct ts_particles *p, size_t columns, size_t from, size_t n, bool out,
-			unsigned char *bytes)
-{
-	size_t at = 0;
-
-	for (size_t k = 0; k < columns; k++) {
-		const struct ts_column *c = &p->column[k];
-		size_t width = c->element * c->width;
-		char *rows = (char *)c->data + from * width;
-
-		if (!c->active || !n)
-			continue;
-		if (bytes && out)
-			memcpy(bytes + at, rows, n * width);
-		else if (bytes)
-			memcpy(rows, bytes + at, n * width);
-		at += n * width;
-	}
-	return at;
-}
-
 static enum ts_status save_ghosts(const struct ts_particles *p, struct ts_look *look)
 {
 	unsigned char *to;
@@ -488,26 +447,17 @@ static enum ts_status save_ghosts(const struct ts_particles *p, struct ts_look *
 	to = ts_parcel_extend(&look->ghosts, p->nghost * ts_copies_row_bytes(p));
 	if (!to)
 		return TS_NOMEM;
-	move_rows(p, look->columns, p->n, p->nghost, true, to);
+	ts_shared_rows_move(p, look->columns, p->n, p->nghost, true, to);
 	return TS_OK;
 }
 
 enum ts_status ts_division_show(struct tsim *sim, const unsigned char *chosen)
 {
-	struct ts_parcel mine = { 0 }, others = { 0 };
-	enum ts_status status;
-
 	if (!sim->division)
 		return TS_OK;
-	status = save_ghosts(sim->particles, &sim->division->look);
-	if (status == TS_OK)
-		status = pack_particles(sim->particles, chosen, &mine);
-	if (status == TS_OK)
-		status = ts_world_share_others(sim->world, &mine, &others);
-	status = status == TS_OK ? append_particles(sim, &others) : ts_nomem(&sim->error);
-	ts_parcel_release(&mine);
-	ts_parcel_release(&others);
-	return status;
+	if (save_ghosts(sim->particles, &sim->division->look) != TS_OK)
+		return ts_nomem(&sim->error);
+	return ts_shared_rows(sim, TS_SHARED_OWN_FIRST, chosen);
 }
 
 static enum ts_status restore_ghosts(struct tsim *sim, const struct ts_look *look)
@@ -516,10 +466,10 @@ static enum ts_status restore_ghosts(struct tsim *sim, const struct ts_look *loo
 
 	p->n = look->n;
 	p->nghost = look->nghost;
-	if (move_rows(p, look->columns, p->n, p->nghost, false, NULL) != look->ghosts.n)
+	if (ts_shared_rows_move(p, look->columns, p->n, p->nghost, false, NULL) != look->ghosts.n)
 		return ts_fail(&sim->error, TS_STATE, NULL,
 			       "columns of particles have changed while all ranks had all particles");
-	move_rows(p, look->columns, p->n, p->nghost, false, look->ghosts.data);
+	ts_shared_rows_move(p, look->columns, p->n, p->nghost, false, look->ghosts.data);
 	sim->generation++;
 	return TS_OK;
 }
@@ -558,21 +508,6 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 	listen(sim, d);
 	sim->division = d;
 	return remake_lists(plan, sim, d); /* these continue the contacts of the old lists */
-}
-
-static enum ts_status share_particles(struct tsim *sim, struct ts_division *d)
-{
-	struct ts_particles *p = sim->particles;
-	struct ts_parcel mine = { 0 }, all = { 0 };
-	enum ts_status status = pack_particles(p, NULL, &mine);
-
-	if (status == TS_OK)
-		status = ts_world_share(sim->world, &mine, &all);
-	p->n = p->nghost = d->copies.n = 0;
-	status = status == TS_OK ? append_particles(sim, &all) : ts_nomem(&sim->error);
-	ts_parcel_release(&mine);
-	ts_parcel_release(&all);
-	return status;
 }
 
 static enum ts_status share_rows(struct tsim *sim, struct ts_carried *rows)
@@ -639,7 +574,8 @@ static enum ts_status gather_all(struct ts_plan *plan, struct tsim *sim, struct 
 	TS_TRY(ts_carrier_rows_give(sim, d, true, NULL));
 	for (size_t k = 0; k < d->ncarried; k++)
 		TS_TRY(ts_carrier_rows_keep_local(sim, &d->carried[k]));
-	TS_TRY(share_particles(sim, d));
+	TS_TRY(ts_shared_rows(sim, TS_SHARED_BY_RANK, NULL));
+	d->copies.n = 0;
 	for (size_t k = 0; k < d->ncarried; k++)
 		TS_TRY(share_rows(sim, &d->carried[k]));
 	TS_TRY(leave_division(sim, d));

@@ -61,6 +61,12 @@ void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n)
 		world->call->spread(world, from, bytes, n);
 }
 
+void ts_world_sizes(struct ts_world *world, uint64_t n, uint64_t *size)
+{
+	world->counts.agreements++;
+	world->call->sizes(world, n, size);
+}
+
 /* Counts the parcels for other ranks. */
 static void count_parcels(struct ts_world *world, const struct ts_parcel *out)
 {
@@ -108,11 +114,11 @@ static enum ts_status find_sizes_and_share(struct ts_world *world, const struct 
 	uint64_t *size = ts_alloc((size_t)world->n, sizeof *size);
 	enum ts_status status = TS_NOMEM;
 
-	world->counts.agreements += 2;
+	world->counts.agreements++;
 	world->counts.messages++;
 	world->counts.bytes += (int64_t)mine->n;
 	if (size) {
-		world->call->sizes(world, mine->n, size);
+		ts_world_sizes(world, mine->n, size);
 		status = share(world, mine, size, all, own);
 	}
 	ts_free(size);

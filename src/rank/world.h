@@ -67,6 +67,8 @@ void ts_world_sum(struct ts_world *world, int64_t *number);
 void ts_world_sums(struct ts_world *world, int64_t *number, size_t n);
 /* The bytes of rank `from` are copied to all. */
 void ts_world_spread(struct ts_world *world, int from, void *bytes, size_t n);
+/* size[r] becomes the number that rank r has, of which this one has n. */
+void ts_world_sizes(struct ts_world *world, uint64_t n, uint64_t *size);
 /* Sends out[r] to rank r for all r, and receives in[r], of any size; out[rank] is copied to in[rank]. */
 enum ts_status ts_world_deliver(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in);
 /* The same if in[r].n is known; out[rank] is ignored. */

@@ -1,0 +1,81 @@
+#!/bin/bash
+# A rank that gets all particles has their columns once: what it takes for a particle more. Columns of so many particles are sent in
+# several pieces, and each rank writes the text of a part of a dump; dumps are those of one rank.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_ranks.sh
+. "$top_srcdir/tests/lib_ranks.sh" || exit 99
+[ -x /usr/bin/time ] || { echo 'skipped: needs GNU time (apt-get install time)'; exit 77; }
+has_ranks || exit 77
+export OMP_NUM_THREADS=1
+cat >in.grid <<'E2'
+units		lj
+atom_style	sphere
+boundary	f f f
+region		box block 0 ${n} 0 ${n} 0 ${n} units box
+create_box	1 box
+lattice		sc 1.0 origin 0.5 0.5 0.5
+create_atoms	1 box
+set		group all diameter 1.01 density 1
+velocity	all create 0.1 87287
+pair_style	gran/hertz/history 1000 NULL 50 NULL 0.5 1
+pair_coeff	* *
+neighbor	0.3 bin
+fix		move all nve/sphere
+timestep	0.001
+thermo_modify	lost ignore
+E2
+
+# Outputs that read columns only, of which ranks write the text of some rows each or, in another order, the first one alone; and one that
+# reads contacts.
+{
+	cat in.grid
+	cat <<'E2'
+dump		some all custom 2 ${out}.dump id type x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz radius mass
+dump_modify	some format float %.17g
+dump		table all custom 2 ${out}.csv id x y z radius
+dump		packed all atom 2 ${out}.atom.gz
+dump		names all xyz 2 ${out}.xyz
+dump_modify	names element Si
+dump		sorted all custom 2 ${out}.sorted id vx vy
+dump_modify	sorted sort -2
+dump		few all custom 2 ${out}.few id x
+dump_modify	few thresh id < 50
+run		2
+compute		c all pair/local dist fx fy fz
+dump		pairs all local 2 ${out}.pairs c_c[*]
+dump_modify	pairs format float %.17g
+run		2
+E2
+} >in.dumps
+"$TSIM" -in in.dumps -log none -screen none -var n 27 -var out one >out 2>&1
+report 'one rank writes dumps' $? out
+for n in 2 3 4 7; do
+	on_ranks "$n" "$TSIM" -in in.dumps -log none -screen none -var n 27 -var out many >out 2>&1 </dev/null
+	report "$n ranks write dumps" $? out
+	for file in dump csv atom.gz xyz sorted few pairs; do
+		same "$file, $n ranks" "one.$file" "many.$file"
+	done
+	rm -f many.*
+done
+
+# A write that fails, of the first rank, is told once.
+{ cat in.grid; printf 'dump full all custom 1 /dev/full id x y z\nrun 1\n'; } >in.full
+"$TSIM" -in in.full -log none -screen none -var n 40 2>&1 | grep error >one.told
+on_ranks 3 "$TSIM" -in in.full -log none -screen none -var n 40 2>&1 </dev/null | grep 'error: ' >many.told
+[ -s one.told ] && cmp one.told many.told
+report 'three ranks tell that a dump cannot be written' $? many.told
+
+# most N: the largest memory of a rank, in kB
+most() {
+	on_ranks 3 /usr/bin/time -f %M -a -o kilobytes "$TSIM" -in in.short -log none -screen none -var n "$1" >out 2>&1 </dev/null
+	sort -n kilobytes | tail -1
+	rm -f kilobytes
+}
+{ cat in.grid; echo 'run 1'; } >in.short
+{ most 20; most 64; } >measured
+nm "$TSIM" 2>/dev/null | grep -q __asan_init && { finish; exit; }
+awk 'NR == 1 { m = $1 } END { m = ($1 - m) * 1024 / (64^3 - 20^3); print m; exit !(m > 250 && m < 560) }' measured >compared
+report 'bytes of a particle on three ranks' $? compared
+cat compared
+finish
