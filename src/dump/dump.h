@@ -49,6 +49,7 @@ struct ts_dump_common {
 	int64_t next;		       /* with `variable`: step of the next frame */
 	struct ts_dump_column *column; /* [ncolumns] */
 	size_t ncolumns;
+	bool local;	/* rows of c_ID and f_ID, not particles */
 	int32_t *order; /* [nrows] indices of particles or local rows in the order of writing */
 	size_t nrows, order_capacity;
 	struct ts_textfile out;

@@ -58,6 +58,7 @@ enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struc
 	struct ts_dump_common *d = self->state;
 
 	self->every = d->every;
+	d->local = local;
 	if (!d->column)
 		TS_TRY(name_columns(self, sim, names, local));
 	for (size_t k = 0; k < d->ncolumns; k++) {

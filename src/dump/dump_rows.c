@@ -1,9 +1,11 @@
 /* Rows of dumps as text. Several threads write the text of blocks of rows, which is passed on block by block in their
- * order. */
+ * order. Of particles in the order of their identities, which is the same on all ranks, each rank writes the text of some rows, and
+ * sends it to the first one; all other text the first rank writes alone. */
 #include <stdio.h>
 #include <string.h>
 
 #include "base/parallel.h"
+#include "core/ranks.h"
 #include "dump/dump.h"
 #include "io/csv.h"
 
@@ -12,6 +14,8 @@
 /* Rows of a block: for one thread few, for little memory; for several many, so that they seldom wait for each other.
  * WORK: of a row, in iterations of a simple loop, for the number of threads. */
 enum { ALONE = 512, SHARED = 4096, WORK = 100 };
+/* Rows of a rank of which the text is sent at once, at most, and at least. */
+enum { MOST_SENT = 8192, LEAST_SENT = 64 };
 
 /* The text of some blocks, one for each thread. */
 struct rows {
@@ -20,8 +24,13 @@ struct rows {
 	void (*add)(const struct rows *rows, struct ts_str *out, size_t row);
 	bool trailing; /* a blank after the last column, too */
 	struct ts_str *text;
-	size_t first; /* row of the first block */
-	size_t size;  /* rows of a block */
+	size_t blocks;	  /* of one turn */
+	size_t first;	  /* row of the first block */
+	size_t size, end; /* rows of a block; row behind the last one */
+	/* gets the text block by block */
+	enum ts_status (*put)(struct rows *rows, const struct ts_str *text);
+	struct ts_textfile *out;
+	struct ts_parcel *mine; /* text for the first rank */
 };
 
 static void add_item(const struct rows *rows, struct ts_str *out, const struct ts_dump_column *c,
@@ -93,42 +102,124 @@ static void add_blocks(void *context, size_t from, size_t to)
 		struct ts_str text = rows->text[k]; /* not beside that of another thread in memory */
 
 		ts_str_clear(&text);
-		for (; row < end && row < rows->dump->nrows; row++)
+		for (; row < end && row < rows->end; row++)
 			rows->add(rows, &text, row);
 		rows->text[k] = text;
 	}
 }
 
-static enum ts_status write_blocks(struct ts_dump_common *d, struct tsim *sim, struct rows *rows,
-				   size_t blocks)
+static enum ts_status put_file(struct rows *rows, const struct ts_str *text)
 {
-	for (rows->first = 0; rows->first < d->nrows; rows->first += blocks * rows->size) {
-		ts_parallel((int)blocks, blocks, add_blocks, rows);
-		for (size_t k = 0; k < blocks; k++) {
+	return ts_textfile_write(rows->out, ts_str_text(text), text->length);
+}
+
+static enum ts_status put_parcel(struct rows *rows, const struct ts_str *text)
+{
+	return ts_parcel_add(rows->mine, ts_str_text(text), text->length);
+}
+
+/* The text of rows from .. to-1. */
+static enum ts_status put_range(struct rows *rows, struct tsim *sim, size_t from, size_t to)
+{
+	rows->end = to;
+	for (rows->first = from; rows->first < to; rows->first += rows->blocks * rows->size) {
+		ts_parallel((int)rows->blocks, rows->blocks, add_blocks, rows);
+		for (size_t k = 0; k < rows->blocks; k++) {
 			if (rows->text[k].failed)
 				return ts_nomem(&sim->error);
-			TS_TRY(ts_textfile_write(&d->out, ts_str_text(&rows->text[k]), rows->text[k].length));
+			TS_TRY(rows->put(rows, &rows->text[k]));
 		}
 	}
 	return TS_OK;
 }
 
+/* ---- rows of several ranks */
+
+static size_t row_before(const struct rows *rows, size_t row)
+{
+	return row < rows->dump->nrows ? row : rows->dump->nrows;
+}
+
+/* The first rank writes the text that all have sent. */
+static enum ts_status write_sent(struct rows *rows, const struct ts_parcel *in, int ranks)
+{
+	for (int r = 0; r < ranks; r++)
+		TS_TRY(ts_textfile_write(rows->out, (const char *)in[r].data, in[r].n));
+	return TS_OK;
+}
+
+/* Of each n rows one rank writes the text. After a failure all ranks go on to the end, but nothing is written. */
+static enum ts_status write_by_turns(struct rows *rows, struct tsim *sim, size_t n, struct ts_parcel *out,
+				     struct ts_parcel *in)
+{
+	struct ts_world *world = sim->world;
+	enum ts_status status = TS_OK;
+
+	rows->put = put_parcel;
+	rows->size = rows->blocks > 1 ? (n + rows->blocks - 1) / rows->blocks : ALONE;
+	for (size_t turn = 0; turn < rows->dump->nrows; turn += n * (size_t)world->n) {
+		size_t from = row_before(rows, turn + n * (size_t)world->rank);
+
+		rows->mine = &out[0];
+		rows->mine->n = 0;
+		if (status == TS_OK)
+			status = put_range(rows, sim, from, row_before(rows, from + n));
+		if (ts_world_deliver(world, out, in) != TS_OK)
+			return ts_nomem(&sim->error);
+		if (world->rank == 0 && status == TS_OK)
+			status = write_sent(rows, in, world->n);
+	}
+	return status;
+}
+
+static enum ts_status write_divided(struct rows *rows, struct tsim *sim)
+{
+	size_t ranks = (size_t)sim->world->n, n = (rows->dump->nrows + ranks - 1) / ranks;
+	struct ts_parcel *parcel = ts_alloc(2 * ranks, sizeof *parcel);
+	enum ts_status status = parcel ? TS_OK : ts_nomem(&sim->error);
+
+	if (status == TS_OK)
+		status = write_by_turns(rows, sim, n < MOST_SENT ? n : MOST_SENT, parcel, parcel + ranks);
+	for (size_t r = 0; parcel && r < 2 * ranks; r++)
+		ts_parcel_release(&parcel[r]);
+	ts_free(parcel);
+	return status;
+}
+
+/* Particles have the same order on all ranks if they are sorted by identity. */
+static bool is_divided(const struct rows *rows, const struct tsim *sim)
+{
+	const struct ts_dump_common *d = rows->dump;
+
+	return sim->world && !d->local && !d->unsorted && !d->sort_by &&
+	       d->nrows >= LEAST_SENT * (size_t)sim->world->n;
+}
+
+static enum ts_status put_rows(struct rows *rows, struct tsim *sim)
+{
+	if (is_divided(rows, sim))
+		return write_divided(rows, sim);
+	rows->put = put_file;
+	return ts_ranks_first(sim) ? put_range(rows, sim, 0, rows->dump->nrows) : TS_OK;
+}
+
 /* Writes the text that is there, and all rows. */
 static enum ts_status write_rows(struct ts_dump_common *d, struct tsim *sim, struct rows *rows)
 {
-	size_t blocks = (size_t)ts_team(sim, WORK * d->nrows);
 	enum ts_status status;
 
 	if (d->text.failed)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_textfile_write(&d->out, ts_str_text(&d->text), d->text.length));
 	ts_str_clear(&d->text);
-	rows->size = blocks > 1 ? SHARED : ALONE;
-	rows->text = ts_alloc(blocks, sizeof *rows->text);
+	rows->out = &d->out;
+	rows->blocks = (size_t)ts_team(sim, WORK * d->nrows);
+	rows->size = rows->blocks > 1 ? SHARED : ALONE;
+	rows->text = ts_alloc(rows->blocks, sizeof *rows->text);
 	if (!rows->text)
 		return ts_nomem(&sim->error);
-	status = write_blocks(d, sim, rows, blocks);
-	for (size_t k = 0; k < blocks; k++)
+	status = put_rows(rows, sim);
+	for (size_t k = 0; k < rows->blocks; k++)
 		ts_str_release(&rows->text[k]);
 	ts_free(rows->text);
 	return status;
