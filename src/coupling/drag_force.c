@@ -128,6 +128,20 @@ static double greater(double a, double b)
 	return b > a ? b : a;
 }
 
+/* Called with each particle just before its numbers are set, so that they are in the cache. */
+static inline void clear_numbers(struct ts_drag *s, size_t i)
+{
+	memset(s->total.note[i], 0, sizeof *s->total.note);
+	if (s->fluid && s->two_way)
+		s->exchange[i] = (struct ts_drag_exchange){ .slope = { 0 } };
+}
+
+static bool acts_alone(const struct ts_drag *s)
+{
+	return s->nlate == 1 && !s->restraints.n && ts_drag_acts_along(s, 0) && ts_drag_acts_along(s, 1) &&
+	       ts_drag_acts_along(s, 2);
+}
+
 /* Applies the explicit force to particle i. */
 static void apply_explicitly(struct ts_drag *s, const struct tsim *sim, size_t i, double c, const double w[3],
 			     bool held)
@@ -179,10 +193,13 @@ static void apply_drag(const struct ts_instance *self, const struct tsim *sim, s
 		found->reynolds = greater(found->reynolds, ts_slip_reynolds(slip));
 	if (s->scheme != TS_DRAG_EXPLICIT && !held && !ts_rigid_member(sim->particles, i)) {
 		s->relaxation[i] = (struct ts_drag_relaxation){ c, { w[0], w[1], w[2] } };
+		if (!s->alone || c == 0)
+			clear_numbers(s, i);
 		if (s->restraints.n)
 			apply_restrained(s, sim, i, c, w);
 		return;
 	}
+	clear_numbers(s, i);
 	apply_explicitly(s, sim, i, c, w, held);
 	if (!held)
 		found->stiffness = greater(found->stiffness, c / (ts_drag_mass(s, sim, i) / sim->clock.dt));
@@ -198,15 +215,6 @@ static enum ts_status allocate_work(struct ts_drag *s, struct tsim *sim)
 	if (!s->fluid || !s->two_way)
 		return TS_OK;
 	return TS_GROW(s->exchange, s->exchange_capacity, n) == TS_OK ? TS_OK : ts_nomem(&sim->error);
-}
-
-/* Called with each particle just before its numbers are set, so that they are in the cache. */
-static inline void clear_work(struct ts_drag *s, size_t i)
-{
-	if (s->scheme != TS_DRAG_EXPLICIT)
-		s->relaxation[i] = (struct ts_drag_relaxation){ .c = 0 };
-	if (s->fluid && s->two_way)
-		s->exchange[i] = (struct ts_drag_exchange){ .slope = { 0 } };
 }
 
 static enum ts_status pass_to_fluid(struct ts_instance *self, struct tsim *sim)
@@ -229,10 +237,12 @@ static void apply_drags(const struct ts_instance *self, const struct tsim *sim, 
 
 	slips->n = 0;
 	for (size_t i = from; i < p->n && i < from + TS_DRAG_BATCH; i++) {
-		clear_work(s, i);
-		memset(s->total.note[i], 0, sizeof *s->total.note);
+		if (s->scheme != TS_DRAG_EXPLICIT)
+			s->relaxation[i] = (struct ts_drag_relaxation){ .c = 0 };
 		if (ts_in_group(p, i, self->group))
 			slips->of[slips->n++] = i;
+		else
+			clear_numbers(s, i);
 	}
 	ts_drag_find_slips(self, p, slips);
 	for (size_t k = 0; k < slips->n; k++) {
@@ -242,6 +252,7 @@ static void apply_drags(const struct ts_instance *self, const struct tsim *sim, 
 			apply_drag(self, sim, i, &slips->slip[k], slips->w[k], found);
 			continue;
 		}
+		clear_numbers(s, i);
 		found->outside++;
 		found->tag = p->tag[i] < found->tag ? p->tag[i] : found->tag;
 	}
@@ -287,6 +298,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	}
 	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
 	TS_TRY(ts_particle_tally_start_unset(sim, &s->total)); /* set with each particle */
+	s->alone = acts_alone(s);
 	found = apply_all_drags(self, sim);
 	if (s->fluid)
 		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, found.outside, found.tag));
@@ -382,11 +394,12 @@ static void relax_alone(struct ts_drag *s, const struct tsim *sim, size_t i, dou
 		const double force =
 			drag_component(s->scheme, mine->c, slope, mine->w[k], p->f[i][k], mass, h);
 
-		if (s->part.after_step)
-			s->exchange[i].slope[k] = exchange;
 		p->f[i][k] += force;
-		s->total.note[i][k] += force;
+		s->total.note[i][k] = 0 + force; /* no -0 */
 	}
+	s->total.note[i][3] = 0;
+	for (int k = 0; k < 3 && s->fluid && s->two_way; k++)
+		s->exchange[i].slope[k] = s->part.after_step ? exchange : 0;
 }
 
 static void relax_particle(const struct ts_instance *self, struct tsim *sim, size_t i)
@@ -429,8 +442,6 @@ enum ts_status ts_drag_relax(struct ts_instance *self, struct tsim *sim)
 	struct ts_drag *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	const double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
-	const bool alone = s->nlate == 1 && !s->restraints.n && ts_drag_acts_along(s, 0) &&
-			   ts_drag_acts_along(s, 1) && ts_drag_acts_along(s, 2);
 
 	if (!(ts_flow_style_of(s->flow)->viscosity(s->flow) > 0))
 		return TS_OK;
@@ -440,7 +451,7 @@ enum ts_status ts_drag_relax(struct ts_instance *self, struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++) {
 		if (s->relaxation[i].c == 0)
 			continue;
-		if (alone)
+		if (s->alone)
 			relax_alone(s, sim, i, steps);
 		else
 			relax_particle(self, sim, i);

@@ -71,6 +71,7 @@ struct ts_drag {
 	struct ts_cell_order order;
 	double (*both)[6]; /* force and slope of particles, as they are sent to other ranks */
 	size_t both_capacity;
+	bool alone; /* no other drag, no restraint: ts_drag_relax sets all numbers of a particle that is relaxed */
 	bool sorted; /* `order` is that of the present positions: from the forces of a step to the reaction */
 	struct ts_drag_exchange *exchange; /* of each particle, if the fluid is solved for. Owned */
 	size_t exchange_capacity;
