@@ -30,23 +30,28 @@ TS_INLINE struct ts_body *body_of(const struct ts_rigid *r, size_t from, size_t 
 	return &r->body[r->order[from + (k < n ? k : n - 1)]];
 }
 
-/* Lanes behind the last body repeat it. */
-TS_INLINE void load_bodies(const struct ts_rigid *r, size_t from, size_t n, struct lanes *l)
+/* The first numbers of each body. Lanes behind the last body repeat it. */
+TS_INLINE void load_bodies(const struct ts_rigid *r, size_t from, size_t n, size_t numbers, struct lanes *l)
 {
-	for (size_t at = 0; at < n; at += 4)
-		for (size_t c = 0; c < NUMBERS; c += 4) {
+	for (size_t at = 0; at < n; at += 4) {
+		const struct ts_body *body[4];
+
+		for (size_t k = 0; k < 4; k++)
+			body[k] = body_of(r, from, n, at + k);
+		for (size_t c = 0; c < numbers; c += 4) {
 			ts_four row[4];
 
 			for (size_t k = 0; k < 4; k++)
-				row[k] = TS_FOUR_LOAD((const double *)body_of(r, from, n, at + k) + c);
+				row[k] = TS_FOUR_LOAD((const double *)body[k] + c);
 			ts_four_columns(row, &l->of[c], at);
 		}
+	}
 }
 
 /* Stores orientations, positions and velocities. */
 TS_INLINE void store_bodies(const struct lanes *l, size_t from, size_t n, struct ts_rigid *r)
 {
-	_Static_assert((END_CHANGED - FIRST_CHANGED) % 4 == 0, "blocks of four");
+	_Static_assert(INDEX(force) % 4 == 0 && (END_CHANGED - FIRST_CHANGED) % 4 == 0, "blocks of four");
 	for (size_t at = 0; at < n; at += 4)
 		for (size_t c = FIRST_CHANGED; c < END_CHANGED; c += 4) {
 			ts_four row[4];
@@ -234,15 +239,16 @@ TS_CLONES static void begin_batch(struct tsim *sim, size_t from, size_t n)
 {
 	struct lanes l;
 
-	load_bodies(sim->rigid, from, n, &l);
+	load_bodies(sim->rigid, from, n, NUMBERS, &l);
 	advance_lanes(&l, n, sim->clock.dt, false, true);
 	store_bodies(&l, from, n, sim->rigid);
 	set_all_members(sim, &l, from, n, true);
 }
 
+/* Forces and torques are summed anew. */
 TS_INLINE void load_with_forces(struct tsim *sim, size_t from, size_t n, struct lanes *l)
 {
-	load_bodies(sim->rigid, from, n, l);
+	load_bodies(sim->rigid, from, n, INDEX(force), l);
 	set_matrices(l, n);
 	sum_all_forces(sim, from, n, l);
 }
