@@ -12,6 +12,7 @@
 #      12    rank/plan.sh                   rank/check_blocks
 #      20    rank/pause.sh                  rank/contract.sh
 #       8    rank/memory.sh                 rank/contract.sh
+#       6    rank/timer.sh                  rank/contract.sh
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
 #      12    program/signal.sh              none: it waits for processes
@@ -89,6 +90,7 @@ slow_tests = \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
 	tests/rank/soak.sh \
+	tests/rank/timer.sh \
 	tests/restart/restart.sh \
 	tests/restart/restart_every.sh \
 	tests/program/sandbox.sh \
