@@ -142,13 +142,12 @@ static bool acts_alone(const struct ts_drag *s)
 	       ts_drag_acts_along(s, 2);
 }
 
-/* Applies the explicit force to particle i. */
+/* Applies the explicit force to particle i; most: its mass by the time step. */
 static void apply_explicitly(struct ts_drag *s, const struct tsim *sim, size_t i, double c, const double w[3],
-			     bool held)
+			     double most, bool held)
 {
 	struct ts_particles *p = sim->particles;
 	const double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
-	const double most = ts_drag_mass(s, sim, i) / sim->clock.dt;
 	double part[3] = { 0 };
 
 	if (s->part.after_step && !held)
@@ -188,6 +187,7 @@ static void apply_drag(const struct ts_instance *self, const struct tsim *sim, s
 	struct ts_drag *s = self->state;
 	const double c = ts_drag_style_of(self)->coefficient(s, slip);
 	const bool held = ts_drag_motion_prescribed(s, sim, i);
+	double most;
 
 	if (slip->viscosity > 0)
 		found->reynolds = greater(found->reynolds, ts_slip_reynolds(slip));
@@ -200,9 +200,10 @@ static void apply_drag(const struct ts_instance *self, const struct tsim *sim, s
 		return;
 	}
 	clear_numbers(s, i);
-	apply_explicitly(s, sim, i, c, w, held);
+	most = ts_drag_mass(s, sim, i) / sim->clock.dt;
+	apply_explicitly(s, sim, i, c, w, most, held);
 	if (!held)
-		found->stiffness = greater(found->stiffness, c / (ts_drag_mass(s, sim, i) / sim->clock.dt));
+		found->stiffness = greater(found->stiffness, c / most);
 }
 
 static enum ts_status allocate_work(struct ts_drag *s, struct tsim *sim)
@@ -268,7 +269,8 @@ static struct drag_diagnostics apply_all_drags(const struct ts_instance *self, s
 	int64_t tag = INT64_MAX;
 	size_t outside = 0;
 
-#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static)                            	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
+#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static) \
+	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
 	for (size_t i = 0; i < n; i += TS_DRAG_BATCH) {
 		struct drag_diagnostics found = { reynolds, stiffness, 0, tag };
 		struct ts_drag_slips slips;

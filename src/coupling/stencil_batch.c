@@ -261,12 +261,25 @@ TS_INLINE bool locate(const struct ts_stencil_batch *b, const struct ts_fluid *f
 	return ts_coupling_locate(fluid, x, at->x, at->cell);
 }
 
-void ts_stencil_batch_interpolate(struct ts_stencil_batch *b, const struct ts_fluid *fluid,
-				  double *const field[3], double out[3][N], bool inside[N])
+typedef void one_particle_fn(const struct ts_fluid *fluid, const struct ts_coupling_place *at,
+			     const void *field, double value[3]);
+
+static void interpolate_one(const struct ts_fluid *fluid, const struct ts_coupling_place *at,
+			    const void *field, double value[3])
 {
-	complete(b);
-	find_stencils(b, &fluid->grid);
-	interpolate_all(b, field, out);
+	ts_coupling_faces_interpolate(fluid, at, field, value);
+}
+
+static void gradient_one(const struct ts_fluid *fluid, const struct ts_coupling_place *at, const void *field,
+			 double value[3])
+{
+	ts_coupling_faces_gradient(fluid, at, field, value);
+}
+
+/* Sets out[c][k] and inside[k] of the particles that are no usual ones. */
+static void take_general(const struct ts_stencil_batch *b, const struct ts_fluid *fluid, one_particle_fn *one,
+			 const void *field, double out[3][N], bool inside[N])
+{
 	memset(inside, true, b->n);
 	for (size_t k = 0; k < b->n && b->some_general; k++) {
 		struct ts_coupling_place at;
@@ -274,10 +287,19 @@ void ts_stencil_batch_interpolate(struct ts_stencil_batch *b, const struct ts_fl
 
 		if (!b->general[k] || !(inside[k] = locate(b, fluid, k, &at)))
 			continue;
-		ts_coupling_faces_interpolate(fluid, &at, field, value);
+		one(fluid, &at, field, value);
 		for (int c = 0; c < 3; c++)
 			out[c][k] = value[c];
 	}
+}
+
+void ts_stencil_batch_interpolate(struct ts_stencil_batch *b, const struct ts_fluid *fluid,
+				  double *const field[3], double out[3][N], bool inside[N])
+{
+	complete(b);
+	find_stencils(b, &fluid->grid);
+	interpolate_all(b, field, out);
+	take_general(b, fluid, interpolate_one, field, out, inside);
 }
 
 void ts_stencil_batch_gradient(struct ts_stencil_batch *b, const struct ts_fluid *fluid, const double *field,
@@ -287,17 +309,7 @@ void ts_stencil_batch_gradient(struct ts_stencil_batch *b, const struct ts_fluid
 	find_stencils(b, &fluid->grid);
 	find_widths(b, &fluid->grid);
 	gradient_all(b, fluid->grid.stride, field, out);
-	memset(inside, true, b->n);
-	for (size_t k = 0; k < b->n && b->some_general; k++) {
-		struct ts_coupling_place at;
-		double value[3];
-
-		if (!b->general[k] || !(inside[k] = locate(b, fluid, k, &at)))
-			continue;
-		ts_coupling_faces_gradient(fluid, &at, field, value);
-		for (int c = 0; c < 3; c++)
-			out[c][k] = value[c];
-	}
+	take_general(b, fluid, gradient_one, field, out, inside);
 }
 
 /* ---- velocity with the conditions of boundaries */
