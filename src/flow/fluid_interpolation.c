@@ -127,20 +127,6 @@ TS_INLINE struct points two_points(const struct ts_grid *grid, int d, const doub
 	return (struct points){ low * grid->stride[d], { 1 - t, t } };
 }
 
-/* Whether there are two points along axis d at x for all components: not in two dimensions, nor between a wall and the
- * first point inside. */
-TS_INLINE bool has_two_points(const struct ts_fluid *fluid, int d, double x)
-{
-	const struct ts_grid *grid = &fluid->grid;
-
-	if (grid->ghosts[d] == 0)
-		return false;
-	return grid->periodic[d] ||
-	       ((x >= grid->centre[d][0] || !gives_tangential_velocity(fluid->face[d][TS_LOW])) &&
-		(x <= grid->centre[d][grid->n[d] - 1] ||
-		 !gives_tangential_velocity(fluid->face[d][TS_HIGH])));
-}
-
 void ts_fluid_two_points(const struct ts_fluid *fluid, int d, double *low, double *high)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -149,6 +135,17 @@ void ts_fluid_two_points(const struct ts_fluid *fluid, int d, double *low, doubl
 
 	*low = wall[TS_LOW] ? grid->centre[d][0] : -INFINITY;
 	*high = wall[TS_HIGH] ? grid->centre[d][grid->n[d] - 1] : INFINITY;
+}
+
+/* Whether there are two points along axis d at x for all components: not in two dimensions. */
+static bool has_two_points(const struct ts_fluid *fluid, int d, double x)
+{
+	double low, high;
+
+	if (fluid->grid.ghosts[d] == 0)
+		return false;
+	ts_fluid_two_points(fluid, d, &low, &high);
+	return x >= low && x <= high;
 }
 
 static void velocity_by_stencils(const struct ts_fluid *fluid, const double x[3], const int cell[3],
