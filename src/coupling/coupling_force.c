@@ -116,18 +116,6 @@ enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct t
 	return TS_OK;
 }
 
-/* Particles without a force of the fluid: their number, and the lowest identity. */
-struct outside {
-	size_t n;
-	int64_t tag;
-};
-
-static void count_outside(struct outside *outside, const struct ts_particles *p, size_t i)
-{
-	outside->n++;
-	outside->tag = p->tag[i] < outside->tag ? p->tag[i] : outside->tag;
-}
-
 static void add_to_particle(struct ts_coupling_force *s, struct ts_particles *p, size_t i, const double f[3],
 			    const double torque[3])
 {
@@ -140,7 +128,7 @@ static void add_to_particle(struct ts_coupling_force *s, struct ts_particles *p,
 }
 
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		      struct outside *outside)
+		      struct ts_coupling_outside *outside)
 {
 	struct ts_coupling_force *s = self->state;
 	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
@@ -149,7 +137,7 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 	double f[3] = { 0 }, torque[3] = { 0 };
 
 	if (!find_local_flow(self, sim->particles, i, &around)) {
-		count_outside(outside, sim->particles, i);
+		ts_coupling_outside_add(outside, sim->particles, i);
 		return;
 	}
 	style_of(self)->force(self, sim, i, &around, f, torque);
@@ -157,7 +145,7 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 }
 
 static void add_batch(const struct ts_instance *self, const struct tsim *sim, const size_t *of, size_t n,
-		      struct outside *outside)
+		      struct ts_coupling_outside *outside)
 {
 	static const double none[3] = { 0 };
 	struct ts_coupling_force *s = self->state;
@@ -169,13 +157,13 @@ static void add_batch(const struct ts_instance *self, const struct tsim *sim, co
 		if (inside[k])
 			add_to_particle(s, sim->particles, of[k], f[k], none);
 		else
-			count_outside(outside, sim->particles, of[k]);
+			ts_coupling_outside_add(outside, sim->particles, of[k]);
 	}
 }
 
 /* On particles of the group among `from` and those after it. */
 static void add_forces(const struct ts_instance *self, const struct tsim *sim, size_t from,
-		       struct outside *outside)
+		       struct ts_coupling_outside *outside)
 {
 	const struct ts_coupling_force *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -201,9 +189,10 @@ enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsi
 	size_t outside = 0;
 
 	TS_TRY(ts_particle_tally_start_unset(sim, &s->total));
-#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static) reduction(+ : outside)     	reduction(min : tag)
+#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static) reduction(+ : outside) \
+	reduction(min : tag)
 	for (size_t i = 0; i < n; i += TS_COUPLING_FORCE_BATCH) {
-		struct outside here = { 0, tag };
+		struct ts_coupling_outside here = { 0, tag };
 
 		add_forces(self, sim, i, &here);
 		outside += here.n;

@@ -97,8 +97,7 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 
 struct drag_diagnostics {
 	double reynolds, stiffness; /* Re; c h/m if the force is explicit */
-	size_t outside;		    /* particles outside the fluid */
-	int64_t tag;		    /* the lowest identity of them */
+	struct ts_coupling_outside outside;
 };
 
 /* Slope of the force for the exchange over several steps: not larger than `most`, which takes the particle
@@ -254,8 +253,7 @@ static void apply_drags(const struct ts_instance *self, const struct tsim *sim, 
 			continue;
 		}
 		clear_numbers(s, i);
-		found->outside++;
-		found->tag = p->tag[i] < found->tag ? p->tag[i] : found->tag;
+		ts_coupling_outside_add(&found->outside, p, i);
 	}
 }
 
@@ -272,7 +270,7 @@ static struct drag_diagnostics apply_all_drags(const struct ts_instance *self, s
 #pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static) \
 	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
 	for (size_t i = 0; i < n; i += TS_DRAG_BATCH) {
-		struct drag_diagnostics found = { reynolds, stiffness, 0, tag };
+		struct drag_diagnostics found = { reynolds, stiffness, { 0, tag } };
 		struct ts_drag_slips slips;
 
 		slips.density = density;
@@ -280,10 +278,10 @@ static struct drag_diagnostics apply_all_drags(const struct ts_instance *self, s
 		apply_drags(self, sim, i, &slips, &found);
 		reynolds = found.reynolds;
 		stiffness = found.stiffness;
-		outside += found.outside;
-		tag = found.tag;
+		outside += found.outside.n;
+		tag = found.outside.tag;
 	}
-	return (struct drag_diagnostics){ reynolds, stiffness, outside, tag };
+	return (struct drag_diagnostics){ reynolds, stiffness, { outside, tag } };
 }
 
 enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
@@ -303,7 +301,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	s->alone = acts_alone(s);
 	found = apply_all_drags(self, sim);
 	if (s->fluid)
-		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, found.outside, found.tag));
+		TS_TRY(ts_coupling_count_outside(s->fluid, sim, self, found.outside.n, found.outside.tag));
 	s->reynolds = found.reynolds;
 	if (found.stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->run.unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,

@@ -3,6 +3,20 @@
 #define TS_COUPLING_OUTSIDE_GRID_H
 
 #include "flow/fluid.h"
+#include "particle/particles.h"
+
+/* Their number, and the lowest identity among them (INT64_MAX: there is none). */
+struct ts_coupling_outside {
+	size_t n;
+	int64_t tag;
+};
+
+static inline void ts_coupling_outside_add(struct ts_coupling_outside *outside, const struct ts_particles *p,
+					   size_t i)
+{
+	outside->n++;
+	outside->tag = p->tag[i] < outside->tag ? p->tag[i] : outside->tag;
+}
 
 /* Records that n particles of a fix are outside in this step; `tag`: the lowest identity among them
  * (ignored if n is 0). Warns once in a run. */
