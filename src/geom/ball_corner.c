@@ -12,28 +12,23 @@
 
 #include <math.h>
 
-#include "math/constants.h"
+#include "geom/ball_edges.h"
 
 #include "base/banned.h"
-
-static double clamp(double x)
-{
-	return x < -1 ? -1 : x > 1 ? 1 : x;
-}
 
 /* Area and angle of the sector y >= b, z >= c of a disc of radius^2 s2; the corner must be inside. */
 static double sector_area(double s2, double b, double c, double *angle)
 {
 	double s = sqrt(s2);
 
-	*angle = s > 0 ? acos(clamp(b / s)) - asin(clamp(c / s)) : 0;
+	*angle = s > 0 ? acos(ts_ball_clamp(b / s)) - asin(ts_ball_clamp(c / s)) : 0;
 	return 0.5 *
 	       (s2 * *angle - b * (sqrt(fmax(s2 - b * b, 0)) - c) - c * (sqrt(fmax(s2 - c * c, 0)) - b));
 }
 
 static double exterior_angle(double a, double b)
 {
-	return acos(clamp(-a * b / sqrt((1 - a * a) * (1 - b * b))));
+	return acos(ts_ball_clamp(-a * b / sqrt((1 - a * a) * (1 - b * b))));
 }
 
 /* a, b, c >= 0 */
@@ -50,13 +45,6 @@ static double positive_corner_volume(double a, double b, double c)
 	return fmax((round - flat) / 3, 0);
 }
 
-/* x >= a */
-static double cap_volume(double a)
-{
-	a = clamp(a);
-	return TS_PI / 3 * (1 - a) * (1 - a) * (2 + a);
-}
-
 /* x >= a, y >= b, z >= 0 with a, b >= 0: the corner (a, b, 0) in the same arithmetic, without the angles that are
  * right or zero there. */
 static double positive_edge_volume(double a, double b)
@@ -66,8 +54,8 @@ static double positive_edge_volume(double a, double b)
 
 	if (a * a + b * b >= 1)
 		return 0;
-	ta = acos(clamp(b / ra));
-	tb = right - asin(clamp(a / rb));
+	ta = acos(ts_ball_clamp(b / ra));
+	tb = right - asin(ts_ball_clamp(a / rb));
 	flat = a * (0.5 * (sa * ta - b * sqrt(fmax(sa - b * b, 0)))) +
 	       b * (0.5 * (sb * tb - a * (sqrt(fmax(sb - a * a, 0)))));
 	round = 2 * TS_PI - exterior_angle(a, b) - right - right - a * ta - b * tb;
@@ -80,9 +68,9 @@ static double edge_volume(double a, double b)
 	if (a >= 1 || b >= 1)
 		return 0;
 	if (a < 0)
-		return cap_volume(b) - edge_volume(-a, b);
+		return ts_ball_cap(b) - edge_volume(-a, b);
 	if (b < 0)
-		return cap_volume(a) - edge_volume(a, -b);
+		return ts_ball_cap(a) - edge_volume(a, -b);
 	return 2 * positive_edge_volume(a, b);
 }
 
@@ -103,14 +91,14 @@ double ts_ball_corner(double a, double b, double c)
 static double reflected_edge(double a, double b, double positive)
 {
 	if (a < 0)
-		return cap_volume(b) - (b < 0 ? cap_volume(-a) - positive : positive);
-	return b < 0 ? cap_volume(a) - positive : positive;
+		return ts_ball_cap(b) - (b < 0 ? ts_ball_cap(-a) - positive : positive);
+	return b < 0 ? ts_ball_cap(a) - positive : positive;
 }
 
 /* x >= a, with the other faces below the ball; in the arithmetic of ts_ball_corner for x and y */
 static double reflected_cap(double a)
 {
-	return a < 0 ? cap_volume(-1) - cap_volume(-a) : cap_volume(a);
+	return a < 0 ? ts_ball_cap(-1) - ts_ball_cap(-a) : ts_ball_cap(a);
 }
 
 /* x >= a, y >= b, z >= c, from the volumes beyond (|b|, |c|), (|a|, |c|), (|a|, |b|) */
@@ -132,16 +120,16 @@ void ts_ball_corners(const double cut[3], const bool cuts[3], double out[8])
 	for (int d = 0; d < 3; d++)
 		if (cuts[d == 0 ? 1 : 0] && cuts[d == 2 ? 1 : 2])
 			positive[d] = 2 * positive_edge_volume(fabs(cut[d == 0]), fabs(cut[d == 2 ? 1 : 2]));
-	out[0] = cap_volume(-1);
+	out[0] = ts_ball_cap(-1);
 	if (cuts[0])
 		out[1] = reflected_cap(cut[0]);
 	if (cuts[1])
 		out[2] = reflected_cap(cut[1]);
 	if (cuts[2])
-		out[4] = cap_volume(cut[2]);
+		out[4] = ts_ball_cap(cut[2]);
 	if (cuts[0] && cuts[1])
 		out[3] = cut[0] < 0 && cut[1] < 0
-				 ? reflected_cap(cut[1]) - (cap_volume(-cut[0]) - positive[2])
+				 ? reflected_cap(cut[1]) - (ts_ball_cap(-cut[0]) - positive[2])
 				 : reflected_edge(cut[0], cut[1], positive[2]);
 	if (cuts[0] && cuts[2])
 		out[5] = reflected_edge(cut[0], cut[2], positive[1]);
@@ -154,7 +142,7 @@ void ts_ball_corners(const double cut[3], const bool cuts[3], double out[8])
 /* x >= a of the disc */
 static double segment_area(double a)
 {
-	a = clamp(a);
+	a = ts_ball_clamp(a);
 	return acos(a) - a * sqrt(1 - a * a);
 }
 

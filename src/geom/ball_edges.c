@@ -8,11 +8,6 @@ TS_UNROLLED
 
 /* The arithmetic is that of positive_edge_volume of ball_corner.c. */
 
-TS_INLINE double clamp(double x)
-{
-	return x < -1 ? -1 : x > 1 ? 1 : x;
-}
-
 TS_INLINE double root_of_positive(double x)
 {
 	return sqrt(x > 0 ? x : 0);
@@ -25,9 +20,9 @@ static void find_cosines(struct ts_ball_edges *e, size_t n)
 	for (size_t k = 0; k < n; k++) {
 		const double a = e->a[k], b = e->b[k], sa = 1 - a * a, sb = 1 - b * b;
 
-		e->angle[0][k] = clamp(b / sqrt(sa));
-		e->angle[1][k] = clamp(a / sqrt(sb));
-		e->angle[2][k] = clamp(-a * b / sqrt(sa * sb));
+		e->angle[0][k] = ts_ball_clamp(b / sqrt(sa));
+		e->angle[1][k] = ts_ball_clamp(a / sqrt(sb));
+		e->angle[2][k] = ts_ball_clamp(-a * b / sqrt(sa * sb));
 	}
 }
 

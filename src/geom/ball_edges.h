@@ -18,10 +18,16 @@ struct ts_ball_edges {
 /* Sets volume[0] .. volume[n - 1]. */
 void ts_ball_edges_find(struct ts_ball_edges *edges, size_t n);
 
+/* Within the ball: cosines, and coordinates of planes. */
+TS_INLINE double ts_ball_clamp(double x)
+{
+	return x < -1 ? -1 : x > 1 ? 1 : x;
+}
+
 /* Volume of x >= a. */
 TS_INLINE double ts_ball_cap(double a)
 {
-	a = a < -1 ? -1 : a > 1 ? 1 : a;
+	a = ts_ball_clamp(a);
 	return TS_PI / 3 * (1 - a) * (1 - a) * (2 + a);
 }
 
