@@ -324,6 +324,8 @@ library_sources = \
 	src/core/deferred_loops.h \
 	src/core/definition.c \
 	src/core/definition.h \
+	src/core/due_lists.c \
+	src/core/due_lists.h \
 	src/core/fingerprint.c \
 	src/core/fingerprint.h \
 	src/core/group.c \

@@ -221,6 +221,7 @@ const struct ts_style ts_dump_automaton_png = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Writes pictures of an automaton",
 	.doc = "Each granule is a disc (with a scale below 4 a square) with the colour of its velocity: red "
 	       "as\n"

@@ -111,6 +111,7 @@ const struct ts_style ts_dump_automaton_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Writes the cells of an automaton to VTK files for ParaView",
 	.doc = "Image data (.vti), one layer of cells. Cell values: `state`, 0 empty, 1 granule, 2 obstacle, "
 	       "and\n"

@@ -96,6 +96,7 @@ const struct ts_style ts_dump_euler_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "The cells of fix ave/euler as points for ParaView",
 	.doc = "Writes a point at the centre of each cell of fix ave/euler with the values of its last "
 	       "evaluation: v_avg, volumefraction, radius, pressure, count, mass, and stress (xx yy zz xy xz "

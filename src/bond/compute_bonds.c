@@ -126,7 +126,8 @@ static enum ts_status show_rows(const struct ts_instance *self, struct tsim *sim
 	snprintf(name, sizeof name, "c_%s", self->id);
 	for (int kind = 0; kind < TS_NKIND; kind++)
 		for (size_t k = 0; k < sim->instances[kind].n; k++)
-			sim->run.shows_lists |= reads_rows(sim->instances[kind].item[k], name);
+			sim->run.needs_lists |= reads_rows(sim->instances[kind].item[k], name);
+	sim->run.shows_lists |= sim->run.needs_lists;
 	return TS_OK;
 }
 

@@ -81,7 +81,7 @@ static enum ts_status join(struct ts_instance *self, struct tsim *sim)
 	struct ts_look *look = &sim->division->look;
 
 	(void)self;
-	if (!sim->run.shows_contacts || sim->run.shows_lists)
+	if (!sim->run.shows_contacts || sim->run.needs_lists)
 		return TS_OK;
 	return ts_virial_join(sim, ts_sim_only(sim, TS_KIND_PAIR), &all_parts, look->virial,
 			      &look->virial_step);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/due_lists.h"
 #include "core/plan.h"
 #include "core/recorder.h"
 
@@ -179,7 +180,7 @@ bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim)
 	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, 0);
 }
 
-/* Any hook may evaluate a compute. */
+/* Any hook of the set-up may evaluate a compute. */
 static bool compute_reads_lists(const struct tsim *sim)
 {
 	const struct ts_instances *computes = &sim->instances[TS_KIND_COMPUTE];
@@ -192,9 +193,9 @@ static bool compute_reads_lists(const struct tsim *sim)
 
 bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim)
 {
-	return ends_whole(plan, sim) || sim->requests.saving || sim->requests.stop || sim->run.shows_lists ||
+	return ends_whole(plan, sim) || sim->requests.saving || sim->requests.stop || sim->run.needs_lists ||
 	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, TS_RANKS_PARTICLES) ||
-	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || compute_reads_lists(sim);
+	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || ts_due_lists_named(plan, sim);
 }
 
 /* Whether the hook of SETUP reads more than the columns of particles, or changes them. */

@@ -143,7 +143,8 @@ struct ts_run_state {
 	bool uneven;	/* some ranks have so many particles that all are to be divided again */
 	bool complete;	/* the run may end with this step: it stores all that can be read afterwards */
 	bool shows_contacts; /* an output reads forces of contacts, or an outside program may do so */
-	bool shows_lists;    /* an output reads lists of pairs */
+	bool shows_lists;    /* an output reads lists of pairs: core/due_lists.h tells in which steps */
+	bool needs_lists;    /* all outputs may read lists of pairs */
 	/* Nothing that forces depend on has changed since the last step: the run continues with the forces
 	 * and the contact list of that step. */
 	bool resuming;

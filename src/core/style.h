@@ -203,6 +203,9 @@ struct ts_style {
 	/* Whether a hook of END_OF_STEP or OUTPUT, of systems SETUP, has anything to do in this step, with TS_RANKS_STEPS any hook, asked when
 	 * the step begins; NULL: always. */
 	bool (*due)(const struct ts_instance *self, const struct tsim *sim);
+	/* Calls `tell` with each text, besides the arguments, whose outputs and variables it reads, as those of dump_modify:
+	 * core/due_lists.h. */
+	void (*names)(const struct ts_instance *self, void (*tell)(void *data, const char *text), void *data);
 	/* While the particles are divided among ranks, before all ranks get all particles: sums over the particles of this
 	 * rank become those over all of them (particle/rank_sums.h), for outputs. */
 	ts_hook_fn *join;

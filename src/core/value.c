@@ -46,6 +46,20 @@ enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const s
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
+/* Several ranks make the lists only in steps in which core/due_lists.h finds a compute that reads them. */
+static enum ts_status require_lists(const struct ts_instance *inst, struct tsim *sim)
+{
+	if (!sim->run.looks || inst->style->kind != TS_KIND_COMPUTE ||
+	    inst->style->ranks & TS_RANKS_PARTICLES)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &inst->where,
+		       "compute %s (%s) is read in a step in which each rank has the contacts of its own "
+		       "particles "
+		       "only: nothing that is due names it; run tsim without mpirun, with threads "
+		       "(OMP_NUM_THREADS)",
+		       inst->id, inst->style->name);
+}
+
 enum ts_status ts_value_cached(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value)
 {
 	const struct ts_draws draws = sim->draws;
@@ -54,6 +68,7 @@ enum ts_status ts_value_cached(struct ts_instance *inst, struct tsim *sim, const
 	if (sim->run.epoch && inst->cached == value && inst->cached_epoch == sim->run.epoch)
 		return TS_OK;
 	inst->cached = NULL;
+	TS_TRY(require_lists(inst, sim));
 	if (draws.site) /* random numbers of an output do not depend on which hook reads it first */
 		sim->draws = (struct ts_draws){ ts_instance_site(inst, TS_NSTAGE), 0 };
 	status = ts_value_eval(inst, sim, value, &inst->table);

@@ -39,6 +39,18 @@ bool ts_dump_may_be_due(const struct ts_instance *self, const struct tsim *sim)
 	return (d->variable ? d->next <= step : step % d->every == 0) || (d->first && d->frames == 0);
 }
 
+void ts_dump_names(const struct ts_instance *self, void (*tell)(void *data, const char *text), void *data)
+{
+	const struct ts_dump_common *d = self->state;
+	const char *word[] = { d->variable, d->region, d->refresh };
+
+	for (size_t k = 0; k < sizeof word / sizeof *word; k++)
+		if (word[k])
+			tell(data, word[k]);
+	for (size_t k = 0; k < d->nthresholds; k++)
+		tell(data, d->threshold[k].value.input.name);
+}
+
 enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due)
 {
 	struct ts_dump_common *d = self->state;

@@ -108,6 +108,8 @@ enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struc
 enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due);
 /* Slot `due`: whether a frame may be due at this step. */
 bool ts_dump_may_be_due(const struct ts_instance *self, const struct tsim *sim);
+/* Slot `names`: what dump_modify has given. */
+void ts_dump_names(const struct ts_instance *self, void (*tell)(void *data, const char *text), void *data);
 /* Evaluates all columns, selects and sorts the rows. */
 enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool local);
 /* The same for dumps of particles that need the values only row by row: ts_dump_value. */

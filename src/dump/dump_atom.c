@@ -46,6 +46,7 @@ const struct ts_style ts_dump_atom = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Id, type and position of particles as text",
 	.doc = "As dump custom with the columns id type xs ys zs: positions are scaled from 0 to 1 across "
 	       "the box. `dump_modify scale no` writes x y z instead, `image yes` adds ix iy iz. A file "

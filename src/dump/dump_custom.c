@@ -41,6 +41,7 @@ const struct ts_style ts_dump_custom = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Selected quantities of particles as text, readable by OVITO",
 	.doc = "Writes a frame when the step is a multiple of N, including the first step of a run, but "
 	       "never twice for the same step. Each frame begins with ITEM lines: step, number of particles, "

@@ -85,6 +85,7 @@ const struct ts_style ts_dump_custom_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Particles as points with quantities for ParaView",
 	.doc = "Writes one file per frame; the ending of its name selects the format. .vtp: compressed VTK "
 	       "XML (PolyData), recommended; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as "

@@ -313,6 +313,7 @@ const struct ts_style ts_dump_h5md = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Trajectories of particles in an HDF5 file (H5MD)",
 	.doc = "Appends frames to a file in the format H5MD 1.1 (de Buyl, Colberg and Hoefling 2014, Comput. "
 	       "Phys. Commun. 185, 1546; nongnu.org/h5md), which Python (h5py), MATLAB, VMD and others "

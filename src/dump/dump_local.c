@@ -40,6 +40,7 @@ const struct ts_style ts_dump_local = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Local arrays of computes and fixes, such as bonds and contacts, as text",
 	.doc = "All columns must have the same number of rows. Rows are sorted by the first column, then by "
 	       "the second, and so on; with `dump_modify sort off` they are written in the order of the "

@@ -99,6 +99,7 @@ const struct ts_style ts_dump_local_gran_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Contacts as lines with forces and other data for ParaView",
 	.doc = "Writes a line for each contact of the compute, from the centre of the first particle to the "
 	       "nearest periodic image of the second, or from the wall to the particle. The other quantities "

@@ -82,6 +82,7 @@ const struct ts_style ts_dump_local_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Bonds or contacts as lines between particles for ParaView",
 	.doc = "The first two columns are the ids of two particles; a line is drawn from the first to the "
 	       "nearest periodic image of the second. All columns are written as data of the lines. Files "

@@ -90,6 +90,7 @@ const struct ts_style ts_dump_restart = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Writes restart files every N steps",
 	.doc = "Writes a restart file every N steps, as write_restart does. Define it after all other dumps: "
 	       "the file then contains which frames they have written, and a continued run does not write a "

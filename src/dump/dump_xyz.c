@@ -54,6 +54,7 @@ const struct ts_style ts_dump_xyz = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Type and position of particles in the XYZ format",
 	.doc = "Writes frames in the XYZ format: the number of particles, a line with the step, and a line "
 	       "`type x y z` for each particle. `dump_modify element` replaces the types by names.",

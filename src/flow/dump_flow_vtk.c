@@ -226,6 +226,7 @@ const struct ts_style ts_dump_flow_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Writes the fields of the fluid to VTK files for ParaView",
 	.doc = "Cell values: velocity (mean over the faces of the cell), pressure, void fraction, vorticity "
 	       "curl u (mean over the edges of the cell), and scalars of fix flow/scalar (f_ID). A .vti file "

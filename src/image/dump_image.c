@@ -90,6 +90,7 @@ const struct ts_style ts_dump_image = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Writes pictures of particles, bonds and surfaces",
 	.purpose = "Pictures of the simulation without another program: grains, bonds, meshes, walls, slices "
 		   "of the fluid. `write_dump all image FILE ...` writes a single one; the colours are set "

@@ -108,6 +108,7 @@ const struct ts_style ts_dump_movie = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Makes a movie of the pictures of dump image",
 	.purpose = "A movie of the run, made by the program ffmpeg; the words are those of dump image.",
 	.doc = "Draws what dump image draws and gives the pictures to the program ffmpeg, which must be on "

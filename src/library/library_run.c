@@ -251,7 +251,8 @@ int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void
 
 	if (status == TS_OK)
 		status = add_call(sim, stage, (struct ts_library_call){ fn, data });
-	sim->run.shows_contacts = sim->run.shows_lists = true; /* the function may evaluate any formula */
+	sim->run.shows_contacts = sim->run.shows_lists = sim->run.needs_lists =
+		true; /* the function may evaluate any formula */
 	return ts_library_result(sim, status);
 }
 

@@ -99,6 +99,7 @@ const struct ts_style ts_dump_mesh_stl = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Meshes at their present position, as STL (text)",
 	.doc = "Writes one file per frame, with one solid that contains all triangles, mesh after mesh. "
 	       "`stl` is another name of this style.",

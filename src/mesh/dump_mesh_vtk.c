@@ -306,6 +306,7 @@ const struct ts_style ts_dump_mesh_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "Meshes with quantities of each triangle, for ParaView",
 	.doc = "Writes one file per frame; each triangle has points of its own. The ending of the name "
 	       "selects the format, as for dump custom/vtk: .vtp and .vtu are compressed VTK XML, .vtk is "

@@ -17,6 +17,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	s->sim = sim;
+	sim->run.needs_lists |= s->mode == BOND;
 	sim->run.shows_lists |= s->mode == BOND;
 	return TS_OK;
 }

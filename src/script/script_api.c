@@ -121,6 +121,15 @@ static bool api_reads_all(void *data, const char *name)
 	return formulas->reads_all;
 }
 
+static bool api_words_of_variable(void *data, const char *name, struct ts_words *out)
+{
+	const struct ts_variable *variable = ts_variable_find(get_formulas(data), name);
+
+	if (variable)
+		*out = variable->values;
+	return variable != NULL;
+}
+
 static enum ts_status api_check_commands(void *data, struct ts_words commands)
 {
 	return ts_later_check_commands(data, commands);
@@ -287,6 +296,7 @@ const struct ts_script_api ts_script_api_table = {
 	.columns = api_columns,
 	.check_variable = api_check_variable,
 	.reads_all = api_reads_all,
+	.words_of_variable = api_words_of_variable,
 	.check_commands = api_check_commands,
 	.check_text = api_check_text,
 	.expect_commands = api_expect_commands,

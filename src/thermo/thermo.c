@@ -291,6 +291,16 @@ static bool may_be_due(const struct ts_instance *self, const struct tsim *sim)
 	return t->variable ? sim->clock.step >= t->next : t->every && sim->clock.step % t->every == 0;
 }
 
+static void names(const struct ts_instance *self, void (*tell)(void *data, const char *text), void *data)
+{
+	const struct ts_thermo *t = self->state;
+
+	for (size_t k = 0; k < t->n; k++)
+		tell(data, t->column[k].input.name);
+	if (t->variable)
+		tell(data, t->variable);
+}
+
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_thermo *t = self->state;
@@ -365,6 +375,7 @@ const struct ts_system_style ts_thermo_system = {
 		.defers = TS_DEFERS(OUTPUT),
 		.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 		.due = may_be_due,
+		.names = names,
 		.fini = fini,
 	},
 	.slot = offsetof(struct tsim, thermo),

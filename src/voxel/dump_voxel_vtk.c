@@ -261,6 +261,7 @@ const struct ts_style ts_dump_voxel_vtk = {
 	.kind = TS_KIND_DUMP,
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
+	.names = ts_dump_names,
 	.summary = "The tops of the columns of a height field, for ParaView",
 	.doc = "Writes one file per frame: a square for the top of each column at its present position; "
 	       "empty columns are left out. The ending of the name selects the format, as for dump "

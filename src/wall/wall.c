@@ -144,6 +144,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
 		TS_TRY(add_force_column(self, sim));
+	sim->run.needs_lists |= w->list_contacts;
 	sim->run.shows_lists |= w->list_contacts;
 	w->contacts.want_reports |= w->list_contacts;
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;

@@ -17,7 +17,7 @@ ranks() {
 }
 
 turn=0
-for scene in bed gas crossing outlet pushed burst looks; do
+for scene in bed gas crossing outlet pushed burst looks named; do
 	"$TSIM" -in "$scenes/in.$scene" -log log.1 -screen none -var out one >out 2>&1
 	report "$scene runs alone" $? out
 	rows log.1 >rows.1
@@ -29,18 +29,27 @@ for scene in bed gas crossing outlet pushed burst looks; do
 		same "$scene: table on $n ranks" rows.1 "rows.$n"
 		same "$scene: dump on $n ranks" one.dump many.dump
 		same "$scene: averages on $n ranks" one.mean many.mean
+		for file in loads print touch pe; do
+			[ ! -f one.$file ] || same "$scene: $file on $n ranks" one.$file many.$file
+		done
 		if [ -f one.pairs ]; then
 			same "$scene: contacts on $n ranks" one.pairs many.pairs
 			same "$scene: distribution on $n ranks" one.rdf many.rdf
 		fi
 		rm -f many.*
 	done
-	rm -f one.pairs one.rdf
+	rm -f one.pairs one.rdf one.loads one.print one.touch one.pe
 done
 # Outputs of in.looks read particles only, and checks of the time step need none of other ranks: contacts are gathered for the
 # end of the run.
-awk '/all gathered/ { sub(/.*all gathered /, ""); all = $1; listed = $3 } END { exit !(all > 100 && listed == 1) }' log.2
-report 'contacts are gathered where they are read' $? log.2
+ranks 2 -in "$scenes/in.looks" -log log.looks -screen none -var out looks
+gathered() { awk '/all gathered/ { sub(/.*all gathered /, ""); print $1, $3 }' "$1"; }
+gathered log.looks | awk '{ exit !($1 > 100 && $2 == 1) }'
+report 'contacts are gathered at the end, where outputs do not read them' $? log.looks
+# Those of in.named do in 19 steps: in multiples of 60, 90, 100, 150 and 210.
+ranks 2 -in "$scenes/in.named" -log log.named -screen none -var out named
+gathered log.named | awk '{ exit !($1 > 300 && $2 == 19) }'
+report 'contacts are gathered where an output that is due reads them' $? log.named
 # The cloud of in.burst leaves the block of one rank, which is cut again: contacts are gathered more often than for the end of the run.
 ranks 2 -in "$scenes/in.burst" -log log.burst -screen none -var out burst
 awk '/all gathered/ { sub(/.*all gathered /, ""); listed = $3 } END { exit !(listed > 3) }' log.burst
