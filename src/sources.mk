@@ -1260,6 +1260,8 @@ library_sources = \
 	src/rank/loads.h \
 	src/rank/slabs.c \
 	src/rank/slabs.h \
+	src/rank/transposition.c \
+	src/rank/transposition.h \
 	src/rank/world.c \
 	src/rank/world.h \
 	src/region/command_region.c \

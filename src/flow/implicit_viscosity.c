@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "flow/predictor.h"
+#include "rank/transposition.h"
 
 #include "base/banned.h"
 
@@ -208,39 +209,161 @@ static void solve_row(const struct system *sys, double *x)
 
 /* ---- one component */
 
-static void solve_component(const struct ts_viscous_step *step, int c, const struct system sys[3],
-			    double *out)
-{
-	const struct ts_grid *grid = &step->fluid->grid;
-	const struct system *x = &sys[0], *y = &sys[1], *z = &sys[2];
-	const bool solid = grid->dimensions == 3;
-	const int low = solid ? z->from : 0, high = solid ? z->to : 1;
+struct component {
+	const struct ts_viscous_step *step;
+	int c;
+	const struct system *system; /* [3] */
+	double *out;
+	int low, high; /* planes of this rank */
+};
 
-#pragma omp parallel num_threads(step->threads)
+static void solve_plane(const struct component *of, int k)
+{
+	const struct ts_grid *grid = &of->step->fluid->grid;
+	const struct system *x = &of->system[0], *y = &of->system[1];
+
+	for (int j = y->from; j < y->to; j++) {
+		double *row = of->out + ts_at(grid, 0, j, k);
+
+		change_row(of->step, of->c, j, k, x->from, x->to, row);
+		solve_row(x, row);
+	}
+	solve_lines(y, of->out + ts_at(grid, x->from, 0, k), grid->stride[1], x->to - x->from);
+}
+
+/* Along z. */
+static void solve_column(const struct component *of, int j)
+{
+	const struct ts_grid *grid = &of->step->fluid->grid;
+	const struct system *x = &of->system[0];
+
+	if (grid->dimensions == 3)
+		solve_lines(&of->system[2], of->out + ts_at(grid, x->from, j, 0), grid->stride[2],
+			    x->to - x->from);
+}
+
+/* From the change to the velocity. */
+static void add_velocity(const struct component *of, int j, int k)
+{
+	const struct ts_fluid *fluid = of->step->fluid;
+	const struct system *x = &of->system[0];
+	const size_t at = ts_at(&fluid->grid, 0, j, k);
+
+	for (int i = x->from; i < x->to; i++)
+		of->out[at + (size_t)i] += fluid->u[of->c][at + (size_t)i];
+}
+
+static void solve_whole(const struct component *of)
+{
+	const struct system *y = &of->system[1];
+
+#pragma omp parallel num_threads(of->step->threads)
 	{
 #pragma omp for schedule(static)
-		for (int k = low; k < high; k++) {
-			for (int j = y->from; j < y->to; j++) {
-				double *row = out + ts_at(grid, 0, j, k);
-
-				change_row(step, c, j, k, x->from, x->to, row);
-				solve_row(x, row);
-			}
-			solve_lines(y, out + ts_at(grid, x->from, 0, k), grid->stride[1], x->to - x->from);
-		}
+		for (int k = of->low; k < of->high; k++)
+			solve_plane(of, k);
 #pragma omp for schedule(static)
 		for (int j = y->from; j < y->to; j++) {
-			if (solid)
-				solve_lines(z, out + ts_at(grid, x->from, j, 0), grid->stride[2],
-					    x->to - x->from);
-			for (int k = low; k < high; k++) {
-				const size_t at = ts_at(grid, 0, j, k);
-
-				for (int i = x->from; i < x->to; i++)
-					out[at + (size_t)i] += step->fluid->u[c][at + (size_t)i];
-			}
+			solve_column(of, j);
+			for (int k = of->low; k < of->high; k++)
+				add_velocity(of, j, k);
 		}
 	}
+}
+
+/* ---- one component, divided among ranks: each solves along x and y in planes of its own, and along z in rows of its own, of
+ * which it gets all planes */
+
+static void rows_of(const struct component *of, int rank, int from[2])
+{
+	const struct system *y = &of->system[1];
+
+	for (int k = 0; k < 2; k++)
+		from[k] = y->from + (int)ts_slabs_part(of->step->slabs, rank + k, (size_t)(y->to - y->from));
+}
+
+static void columns_of_rows(const void *component, int rank, size_t from[2])
+{
+	const struct component *of = component;
+	int row[2];
+
+	rows_of(of, rank, row);
+	for (int k = 0; k < 2; k++)
+		from[k] = (size_t)row[k] * (size_t)of->step->fluid->grid.stride[1];
+}
+
+static void solve_own_planes(const struct component *of)
+{
+#pragma omp parallel for num_threads(of->step->threads) schedule(static)
+	for (int k = of->low; k < of->high; k++)
+		solve_plane(of, k);
+}
+
+static void solve_own_rows(const struct component *of)
+{
+	int row[2];
+
+	rows_of(of, of->step->slabs->world->rank, row);
+#pragma omp parallel for num_threads(of->step->threads) schedule(static)
+	for (int j = row[0]; j < row[1]; j++)
+		solve_column(of, j);
+}
+
+static void add_own_velocity(const struct component *of)
+{
+	const struct system *y = &of->system[1];
+
+#pragma omp parallel for num_threads(of->step->threads) schedule(static)
+	for (int k = of->low; k < of->high; k++)
+		for (int j = y->from; j < y->to; j++)
+			add_velocity(of, j, k);
+}
+
+static enum ts_status solve_divided(const struct component *of)
+{
+	const struct ts_grid *grid = &of->step->fluid->grid;
+	const struct ts_transposition t = { .slabs = of->step->slabs,
+					    .field = { of->out + ts_at(grid, -grid->ghosts[0], 0, 0),
+						       (size_t)grid->stride[2], 0,
+						       of->system[2].to > grid->n[2] },
+					    .columns = columns_of_rows,
+					    .of = of };
+
+	TS_TRY(ts_transposition_room(&t));
+	solve_own_planes(of);
+	ts_transpose(&t, false);
+	solve_own_rows(of);
+	ts_transpose(&t, true);
+	add_own_velocity(of);
+	return TS_OK;
+}
+
+/* The planes of this rank; the last one has the one behind the grid, too. */
+static void find_planes(struct component *of)
+{
+	const struct ts_grid *grid = &of->step->fluid->grid;
+	const struct system *z = &of->system[2];
+	size_t from, to;
+
+	of->low = 0;
+	of->high = 1;
+	if (grid->dimensions < 3)
+		return;
+	ts_slabs_own(of->step->slabs, (size_t)grid->n[2], &from, &to);
+	of->low = z->from > (int)from ? z->from : (int)from;
+	of->high = (int)to == grid->n[2] ? z->to : (int)to;
+}
+
+static enum ts_status solve_component(const struct ts_viscous_step *step, int c, const struct system sys[3],
+				      double *out)
+{
+	struct component of = { .step = step, .c = c, .system = sys, .out = out };
+
+	find_planes(&of);
+	if (ts_slabs_ranks(step->slabs) > 1)
+		return solve_divided(&of);
+	solve_whole(&of);
+	return TS_OK;
 }
 
 enum ts_status ts_viscous_step(const struct ts_viscous_step *step, double *const out[3])
@@ -254,7 +377,7 @@ enum ts_status ts_viscous_step(const struct ts_viscous_step *step, double *const
 		for (int d = 0; d < dimensions && status == TS_OK; d++)
 			status = make_system(step, c, d, &sys[d]);
 		if (status == TS_OK)
-			solve_component(step, c, sys, out[c]);
+			status = solve_component(step, c, sys, out[c]);
 		for (int d = 0; d < dimensions; d++)
 			ts_free(sys[d].memory);
 	}

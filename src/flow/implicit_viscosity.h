@@ -18,6 +18,7 @@ struct ts_viscous_step {
 	const struct ts_operators *operators;
 	double nu, dt, theta;
 	int threads;
+	struct ts_slabs *slabs; /* of ranks, in three dimensions; NULL or not active: this one solves all */
 };
 /* out: on entry u + dt (convection and body force), on return u*, at faces where the velocity is not
  * given. */

@@ -188,15 +188,17 @@ static void add_increment(struct ts_projection *p, double dt)
 	struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
 	const double share = p->theta * fluid->viscosity * dt / fluid->density;
-	long rows = (long)grid->n[1] * grid->n[2];
+	long first, end;
 
+	ts_slabs_rows(&p->slabs, grid->n[2], grid->n[1], 0, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = 0; line < rows; line++) {
+	for (long line = first; line < end; line++) {
 		size_t at = ts_at(grid, 0, (int)(line % grid->n[1]), (int)(line / grid->n[1]));
 
-		for (size_t end = at + (size_t)grid->n[0]; at < end; at++)
+		for (size_t behind = at + (size_t)grid->n[0]; at < behind; at++)
 			fluid->p[at] += p->increment[at] - share * p->rhs[at];
 	}
+	ts_slab_step_solved(p, fluid->p);
 	ts_fluid_fill_pressure(fluid, fluid->p);
 }
 

@@ -173,7 +173,8 @@ static enum ts_status implicit_step(struct ts_projection *p, double dt)
 					      .nu = fluid->viscosity / fluid->density,
 					      .dt = dt,
 					      .theta = p->theta,
-					      .threads = p->poisson.threads };
+					      .threads = p->poisson.threads,
+					      .slabs = &p->slabs };
 
 	/* Velocities of walls are those of the time at which the viscous term is evaluated. */
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + p->theta) / (double)p->done);

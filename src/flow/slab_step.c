@@ -3,19 +3,16 @@
 #include <string.h>
 
 #include "flow/fluid_slabs.h"
-#include "flow/implicit_viscosity.h"
 
 #include "base/banned.h"
 
 /* ---- which steps are divided */
 
-/* Implicit viscosity needs fields of all planes. */
 static bool divides(const struct ts_projection *p, const struct tsim *sim)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 
-	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= sim->world->n &&
-	       p->viscous == TS_VISCOUS_EXPLICIT;
+	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= sim->world->n;
 }
 
 /* Whether a style may evaluate a formula, which may read the fluid. */
@@ -89,6 +86,8 @@ static void complete_fields(struct ts_projection *p)
 	for (int d = 0; d < fluid->grid.dimensions; d++)
 		ts_slab_step_share(p, fluid->u[d]);
 	ts_slab_step_share(p, fluid->p);
+	if (p->increment)
+		ts_slab_step_share(p, p->increment);
 	p->slabs.active = false;
 	fluid->planes.some = false;
 }

@@ -59,6 +59,12 @@ sed 's/^fix stop.*/variable energy equal flow_ke\nfix stop all print 7 "at $(v_e
 # one a fix makes some steps with all particles.
 sed 's/ time rk2/ time ab2/' in.slabs >in.slabs_ab2
 sed 's/^flow_style.*/& time ab2/; s/^run 200/variable d equal 0.002*(1+0.1*sin(1000*time))\nfix grow all adapt 9 atom diameter v_d\n&/' in.fluid >in.fluid_ab2
+# Implicit viscosity: ranks have planes to solve along x and y, and rows to solve along z, which is periodic, or ends at an outlet or
+# at walls; in the last scene all get all planes, for drag and a body.
+sed 's/ time rk2/ time ab2 viscous implicit/' in.slabs >in.slabs_implicit
+sed 's/boundary f p p/boundary f p f/; s/ time rk2/ time euler viscous backward/; s/^flow_boundary.*/&\nflow_boundary zhi outlet hydrostatic yes\nflow_boundary zlo wall velocity 0.1 0 0/
+	s/^pressure_style.*/pressure_style cg/' in.slabs >in.slabs_backward
+sed 's/ time rk2/ time ab2 viscous implicit/' in.duct >in.duct_implicit
 # So large that two ranks divide two levels of the multigrid.
 sed 's/^pressure_style.*/pressure_style multigrid/; s/cells 17 14 13/cells 64 62 37/; s/ substeps auto time rk2//; s/^timestep.*/timestep 1e-4/
 	s/^thermo .*/thermo 1/; s/flow\/vtk 20/flow\/vtk 2/; s/print 7/print 1/; s/^run.*/run 2/' in.slabs >in.slabs_grids
@@ -137,7 +143,7 @@ film=film # needs HDF5 and ffmpeg
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
 turn=0
-for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor slabs slabs_cg slabs_out slabs_told slabs_ab2 fluid_ab2 slabs_grids insertion pour rock springs beams glue brief cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges seam legacy crowd sheared; do
+for scene in averages halves drum mill sieve waves sorted squeezed voxels receding tracers $film forces forces_hertz flat stream jet oil wafer floating automaton fluid submerged cg direct $hypre multigrid sor slabs slabs_cg slabs_out slabs_told slabs_ab2 fluid_ab2 slabs_implicit slabs_backward duct_implicit slabs_grids insertion pour rock springs beams glue brief cement fibres turning stretched bit bodies rigid clumps heat heat_exact surface_heat warm host sticky multicontact gap nozzle bridges seam legacy crowd sheared; do
 	files_of alone timeout 300 "$TSIM"
 	for n in $(numbers_of 2x2 $((turn++))); do
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
