@@ -5,6 +5,7 @@ reads a page: the contents from the lists of doc/index.md and doc/styles/index.m
 the text names, entries of the index, formulas (```math, and $`...`$ in a line). HTML has formulas as MathML, made by
 pandoc, which browsers typeset themselves; nothing is fetched from the network.
 """
+import gc
 import json
 import os
 import re
@@ -17,6 +18,9 @@ from sphinx.environment.adapters.toctree import TocTree
 from sphinx.util import logging
 
 logger = logging.getLogger(__name__)
+
+# Trees of hundreds of pages are kept: looking through them for cycles again and again takes a third of the time.
+gc.set_threshold(200000, 50, 1000)
 
 project = "tsim"
 author = "the tsim authors"
