@@ -1,7 +1,7 @@
 # For shell tests that start several ranks, after tests/lib_cases.sh.
 
-# Open MPI: one machine needs no network, and looking for one takes most of the start.
-export OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
+# Open MPI: ranks of one machine pass messages through shared memory; no network is looked for.
+export OMPI_MCA_btl=self,vader
 
 # on_ranks N COMMAND...
 on_ranks() {
