@@ -4,7 +4,8 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
-# The run writes 4 kB per step into a pipe, so it is never far ahead of who reads there.
+# The run writes 4 kB per step into a pipe, so it is never far ahead of who reads there. Lines have the same length, since the
+# shell reads a known number of letters at once, but lines letter by letter.
 mkfifo pace
 cat >in.part <<END
 variable first string 'X'
@@ -12,7 +13,7 @@ include $top_srcdir/tests/decks/in.everything
 run \${last} upto
 write_restart \${out}.restart
 END
-sed "s|^run|fix pace all print 1 \"\$(step) $(head -c 4000 /dev/zero | tr '\0' x)\" file pace screen no title none\nrun|" \
+sed "s|^run|fix pace all print 1 \"\$(step:%04.0f) $(head -c 4000 /dev/zero | tr '\0' x)\" file pace screen no title none\nrun|" \
 	in.part >in.paced
 
 # blocked WAY PROCESS...: each reads from an empty pipe, or writes to a full one (a kernel may tell only that they sleep)
@@ -48,7 +49,7 @@ interrupted() {
 	local run=$!
 	exec 3< <(exec cat pace)
 	local reader=$!
-	while read -t 60 -r step _ && [ "${step/none/0}" -lt "$at" ]; do :; done <&3
+	while read -t 60 -r -N 4006 step && ((10#${step:0:4} < at)); do :; done <&3
 	[ -n "$step" ] || kill $reader # a run that never opens it must not hang this test
 	# who reads is held up for good, since nobody reads on here; then also the run
 	[ -z "$again" ] || wait_for blocked write $reader $run || echo "off: $signal: the pipe is never full"
