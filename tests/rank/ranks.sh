@@ -21,7 +21,7 @@ for scene in bed gas crossing outlet pushed burst looks named; do
 	"$TSIM" -in "$scenes/in.$scene" -log log.1 -screen none -var out one >out 2>&1
 	report "$scene runs alone" $? out
 	rows log.1 >rows.1
-	for n in $(numbers_of 2 $((turn++))); do
+	for n in $(numbers_of 2 $turn); do
 		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
 			ranks "${n%x2}" -in "$scenes/in.$scene" -log "log.$n" -screen none -var out many
 		report "$scene runs on $n ranks" $? out
@@ -38,6 +38,7 @@ for scene in bed gas crossing outlet pushed burst looks named; do
 		fi
 		rm -f many.*
 	done
+	turn=$((turn + 1))
 	rm -f one.pairs one.rdf one.loads one.print one.touch one.pe
 done
 # Outputs of in.looks read particles only, and checks of the time step need none of other ranks: contacts are gathered for the
