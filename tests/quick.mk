@@ -3,11 +3,11 @@
 # tests/house/quick.sh fails where a name is not that of a test.
 #
 #   seconds  test                           quick tests of the same subject
-#     190    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
+#     175    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
 #      50    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      10    rank/balance.sh                rank/check_loads
-#     100    rank/contract_ranks.sh         rank/contract.sh
+#     120    rank/contract_ranks.sh         rank/contract.sh
 #      37    rank/soak.sh                   rank/contract.sh
 #      12    rank/plan.sh                   rank/check_blocks
 #      20    rank/pause.sh                  rank/contract.sh
@@ -15,7 +15,7 @@
 #       6    rank/timer.sh                  rank/contract.sh
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
-#      12    program/signal.sh              none: it waits for processes
+#       7    program/signal.sh              none: it waits for processes
 #      10    script/corpus.sh               script/mistakes.sh
 #       8    program/kill.sh                none: it waits for processes
 #       8    core/omissions.sh              neigh/check_order
