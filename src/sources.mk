@@ -308,6 +308,8 @@ library_sources = \
 	src/core/arg_read.c \
 	src/core/arg_read.h \
 	src/core/arg_record.c \
+	src/core/block_work.c \
+	src/core/block_work.h \
 	src/core/carried.c \
 	src/core/carried.h \
 	src/core/coeff.c \

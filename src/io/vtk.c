@@ -149,7 +149,10 @@ typedef enum ts_status build_fn(struct tsim *sim, struct ts_str *out, const stru
 
 static enum ts_status add_legacy(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
 {
-	(poly->plain && !poly->binary ? ts_vtk_legacy_plain : ts_vtk_legacy_poly)(out, poly);
+	if (poly->plain && !poly->binary)
+		ts_vtk_legacy_plain(out, poly);
+	else
+		TS_TRY(ts_vtk_legacy_poly(sim, out, poly));
 	return out->failed ? ts_nomem(&sim->error) : TS_OK;
 }
 

@@ -5,7 +5,8 @@
 
 #include "io/vtk.h"
 
-void ts_vtk_legacy_poly(struct ts_str *out, const struct ts_vtk_poly *poly);
+/* All ranks call it; the text is that of the first one. */
+enum ts_status ts_vtk_legacy_poly(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly);
 /* Points only, as text of version 2.0 with SCALARS and VECTORS, a line for each point: the format of
  * LIGGGHTS for cells of fix ave/euler. */
 void ts_vtk_legacy_plain(struct ts_str *out, const struct ts_vtk_poly *poly);

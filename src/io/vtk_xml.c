@@ -3,50 +3,65 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "base/banned.h"
+#include "core/block_work.h"
+#include "core/ranks.h"
 
-enum { BLOCK = 1 << 20 };
+#include "base/banned.h"
 
 void ts_vtk_add_base64(struct ts_str *out, const unsigned char *bytes, size_t n)
 {
 	static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+	char line[4 * 256];
+	size_t used = 0;
 
 	for (size_t i = 0; i < n; i += 3) {
 		unsigned a = bytes[i], b = i + 1 < n ? bytes[i + 1] : 0, c = i + 2 < n ? bytes[i + 2] : 0;
-		char four[4] = { digit[a >> 2], digit[(a & 3) << 4 | b >> 4],
-				 i + 1 < n ? digit[(b & 15) << 2 | c >> 6] : '=',
-				 i + 2 < n ? digit[c & 63] : '=' };
 
-		ts_str_add_n(out, four, 4);
+		line[used++] = digit[a >> 2];
+		line[used++] = digit[(a & 3) << 4 | b >> 4];
+		line[used++] = i + 1 < n ? digit[(b & 15) << 2 | c >> 6] : '=';
+		line[used++] = i + 2 < n ? digit[c & 63] : '=';
+		if (used == sizeof line || i + 3 >= n) {
+			ts_str_add_n(out, line, used);
+			used = 0;
+		}
 	}
+}
+
+enum { BLOCK = 1 << 20, SENT = 8 };
+
+static void compress_block(const void *context, const void *block, size_t n, struct ts_str *out)
+{
+	uLongf length = compressBound((uLong)n);
+	unsigned char *packed = ts_alloc(length, 1);
+
+	(void)context;
+	if (packed && compress2(packed, &length, block, (uLong)n, Z_BEST_SPEED) == Z_OK)
+		ts_str_add_n(out, (const char *)packed, length);
+	else
+		out->failed = true;
+	ts_free(packed);
 }
 
 enum ts_status ts_vtk_add_packed(struct tsim *sim, struct ts_str *out, const void *data, size_t n)
 {
-	size_t blocks = (n + BLOCK - 1) / BLOCK, used = 0;
+	const struct ts_block_work work = { compress_block, NULL, BLOCK, SENT };
+	const size_t blocks = ts_block_work_blocks(&work, n);
 	uint64_t *head = ts_alloc(3 + blocks, sizeof *head);
-	unsigned char *packed = ts_alloc(blocks, (size_t)compressBound(BLOCK));
-	bool ok = head && packed;
+	struct ts_str packed = { 0 };
+	enum ts_status status =
+		head ? ts_block_work(sim, &work, data, n, &packed, head + 3) : ts_nomem(&sim->error);
 
-	for (size_t k = 0; ok && k < blocks; k++) {
-		size_t size = n - k * BLOCK < BLOCK ? n - k * BLOCK : BLOCK;
-		uLongf length = compressBound(BLOCK);
-
-		ok = compress2(packed + used, &length, (const Bytef *)data + k * BLOCK, (uLong)size,
-			       Z_BEST_SPEED) == Z_OK;
-		head[3 + k] = length;
-		used += length;
-	}
-	if (ok) {
+	if (status == TS_OK && ts_ranks_first(sim)) {
 		head[0] = blocks;
 		head[1] = BLOCK;
 		head[2] = n % BLOCK;
 		ts_vtk_add_base64(out, (const unsigned char *)head, (3 + blocks) * sizeof *head);
-		ts_vtk_add_base64(out, packed, used);
+		ts_vtk_add_base64(out, (const unsigned char *)ts_str_text(&packed), packed.length);
 	}
 	ts_free(head);
-	ts_free(packed);
-	return ok && !out->failed ? TS_OK : ts_nomem(&sim->error);
+	ts_str_release(&packed);
+	return status == TS_OK && out->failed ? ts_nomem(&sim->error) : status;
 }
 
 void ts_vtk_add_name(struct ts_str *out, const char *name)

@@ -14,7 +14,8 @@ void ts_vtk_add_name(struct ts_str *out, const char *name);
 
 void ts_vtk_add_base64(struct ts_str *out, const unsigned char *bytes, size_t n);
 /* Adds n bytes, compressed: header {number of blocks, size of a block, size of a partial last block,
- * compressed sizes ...} in base64, then all blocks in base64. */
+ * compressed sizes ...} in base64, then all blocks in base64. Of several ranks, which all call it, those of the first one,
+ * and nothing is added on the others, whose files are discarded. */
 enum ts_status ts_vtk_add_packed(struct tsim *sim, struct ts_str *out, const void *data, size_t n);
 /* Adds an array of n tuples of 8-byte numbers; `type`: "Float64" or "Int64". */
 enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char *name, const char *type,

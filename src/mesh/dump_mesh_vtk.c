@@ -240,7 +240,7 @@ static enum ts_status write_text(struct ts_instance *self, struct tsim *sim, str
 
 	TS_TRY(ts_dump_open(self, sim));
 	poly->time = ts_sim_time(sim);
-	ts_vtk_legacy_poly(&d->text, poly);
+	TS_TRY(ts_vtk_legacy_poly(sim, &d->text, poly));
 	return ts_dump_mesh_end(self, sim);
 }
 

@@ -154,6 +154,23 @@ for n in 2 3; do
 	same "a lost particle is told once by $n ranks" left.one left.many
 done
 
+# Frames so large that all ranks compress blocks, and write text of numbers.
+printf '%s\n' 'units si' 'atom_style sphere' 'boundary f f f' 'newton off' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' 'neighbor 0.001 bin' \
+	'region low block 0 1 0 1 0 0.5 units box' 'lattice sc 0.0222' 'create_atoms 1 region low' 'set group all diameter 0.02 density 2500' \
+	'velocity all create 0.1 87287 dist gaussian' 'fix 1 all nve/sphere' 'timestep 0.001' 'dump p all custom/vtk 2 ${out}.p*.vtp id vx vy vz radius' \
+	'dump u all custom/vtk 3 ${out}.u*.vtu id vx' 'dump t all custom/vtk 2 ${out}.t*.vtk id type vx vy vz radius' \
+	'dump b all custom/vtk 3 ${out}.b*.vtk id vx vy vz' 'dump_modify b binary yes' 'run 3' >in.frames
+mkdir -p frames.1
+(cd frames.1 && "$TSIM" -in ../in.frames -log none -screen none -var out x) >out 2>&1
+report 'frames of one rank' $? out
+for n in $(numbers_of 2x2 0); do
+	rm -rf frames.n && mkdir frames.n
+	(cd frames.n && OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) on_ranks "${n%x2}" "$TSIM" -in ../in.frames -log none -screen none -var out x) >out 2>&1
+	report "frames of $n ranks" $? out
+	[ "$(find frames.n -name 'x.*[023].vt?' | wc -l)" = 12 ] && diff -rq frames.1 frames.n >difference
+	report "frames: the same files on $n ranks" $? difference
+done
+
 # Files that are there are appended to: an incomplete last line is ended, in a table cut off.
 printf '%s\n' 'units lj' 'atom_style sphere' 'boundary f f f' 'newton off' 'region box block 0 9 0 9 0 9' 'create_box 1 box' 'lattice sc 1.1' \
 	'create_atoms 1 box' 'set group all diameter 1.0 density 1.0' 'velocity all set 1 0 0' 'fix 1 all nve/sphere' 'timestep 0.0001' 'variable t equal step' \
