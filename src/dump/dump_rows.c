@@ -1,6 +1,6 @@
 /* Rows of dumps as text. Several threads write the text of blocks of rows, which is passed on block by block in their
- * order. Of particles in the order of their identities, which is the same on all ranks, each rank writes the text of some rows, and
- * sends it to the first one; all other text the first rank writes alone. */
+ * order. Of particles in the order of their identities, which is the same on all ranks, and of local rows each rank writes the text of
+ * some rows, and sends it to the first one; all other text the first rank writes alone. */
 #include <stdio.h>
 #include <string.h>
 
@@ -186,18 +186,46 @@ static enum ts_status write_divided(struct rows *rows, struct tsim *sim)
 	return status;
 }
 
-/* Particles have the same order on all ranks if they are sorted by identity. */
+/* Local rows, and their order, are those of the first rank. */
+static bool have_same_number(struct ts_world *world, size_t n)
+{
+	double most[2] = { (double)n, -(double)n };
+
+	ts_world_most(world, most, 2);
+	return most[0] == -most[1];
+}
+
+static void spread_local(const struct rows *rows, const struct tsim *sim)
+{
+	const struct ts_dump_common *d = rows->dump;
+
+	ts_world_spread(sim->world, 0, d->order, d->nrows * sizeof *d->order);
+	for (size_t k = 0; k < d->ncolumns; k++) {
+		double *values = d->column[k].values.data;
+
+		ts_world_spread(sim->world, 0, values, d->nrows * sizeof *values);
+	}
+}
+
 static bool is_divided(const struct rows *rows, const struct tsim *sim)
 {
 	const struct ts_dump_common *d = rows->dump;
 
-	return sim->world && !d->local && !d->unsorted && !d->sort_by &&
-	       d->nrows >= LEAST_SENT * (size_t)sim->world->n;
+	if (!sim->world)
+		return false;
+	if (d->local && !have_same_number(sim->world, d->nrows))
+		return false;
+	/* particles have the same order on all ranks if they are sorted by identity */
+	return (d->local || (!d->unsorted && !d->sort_by)) && d->nrows >= LEAST_SENT * (size_t)sim->world->n;
 }
 
 static enum ts_status put_rows(struct rows *rows, struct tsim *sim)
 {
-	if (is_divided(rows, sim))
+	const bool divided = is_divided(rows, sim);
+
+	if (divided && rows->dump->local)
+		spread_local(rows, sim);
+	if (divided)
 		return write_divided(rows, sim);
 	rows->put = put_file;
 	return ts_ranks_first(sim) ? put_range(rows, sim, 0, rows->dump->nrows) : TS_OK;
