@@ -301,6 +301,8 @@ library_sources = \
 	src/contact/virial.h \
 	src/core/archive.c \
 	src/core/archive.h \
+	src/core/archive_pieces.c \
+	src/core/archive_pieces.h \
 	src/core/arg.h \
 	src/core/arg_change.c \
 	src/core/arg_change.h \
@@ -1343,6 +1345,10 @@ library_sources = \
 	src/restart/pack.h \
 	src/restart/restart.c \
 	src/restart/restart.h \
+	src/restart/sections.c \
+	src/restart/sections.h \
+	src/restart/sieve.c \
+	src/restart/sieve.h \
 	src/review/bond_rigidity.c \
 	src/review/command_review.c \
 	src/review/held_contacts.c \

@@ -200,6 +200,7 @@ shell_tests = \
 	tests/program/kill.sh \
 	tests/program/sandbox.sh \
 	tests/program/signal.sh \
+	tests/rank/apart.sh \
 	tests/rank/balance.sh \
 	tests/rank/contract.sh \
 	tests/rank/contract_ranks.sh \

@@ -309,6 +309,7 @@ const struct ts_system_style ts_bonds_system = {
 		   .archive = archive_bonds,
 		   .fingerprint = fingerprint_bonds,
 		   .init = init_bonds,
+		   .ranks = TS_RANKS_ROWLESS,
 		   .hook = { [TS_STAGE_BUILD] = update_partner_indices },
 		   .plan = report_memory,
 		   .join = ts_bonds_join,

@@ -309,6 +309,7 @@ const struct ts_system_style ts_domain_system = {
 		   .archive = archive_domain,
 		   .fingerprint = fingerprint_domain,
 		   .init = init_domain,
+		   .ranks = TS_RANKS_ROWLESS,
 		   .plan = report_box,
 		   .fini = release_domain },
 	.slot = offsetof(struct tsim, domain),

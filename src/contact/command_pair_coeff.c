@@ -36,6 +36,7 @@ const struct ts_command_style ts_command_pair_coeff = {
 			  "and among the installed potentials.",
 		   .example = "pair_coeff * * stiffness 2.0e5 restitution 0.5",
 		   .args = args,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .state_size = sizeof(struct pair_coeff) },
 	.needs_box = true,
 	.run = run,

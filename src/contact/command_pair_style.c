@@ -59,6 +59,7 @@ const struct ts_command_style ts_command_pair_style = {
 			  "effect.",
 		   .example = "pair_style spring/dashpot",
 		   .args = args,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .state_size = sizeof(struct style_line) },
 	.run = run,
 };

@@ -150,7 +150,7 @@ TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
 const struct ts_style ts_compute_pair_gran_local = {
 	.name = "pair/gran/local",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.summary = "Forces, positions and other quantities of each contact",
 	.doc = "A table with a row for each contact whose particles are both in the group. The particle with "
 	       "the smaller ID is the first. The columns follow in this order, whatever the order of the "

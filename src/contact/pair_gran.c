@@ -216,7 +216,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 const struct ts_pair_style ts_pair_gran = {
 	.style = { .name = "gran",
 		   .kind = TS_KIND_PAIR,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 		   .summary = "contact laws of granular materials",
 		   .purpose =
 			   "The contact law of most simulations of grains: stiffness and damping from the "

@@ -12,7 +12,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
 const struct ts_pair_style ts_pair_gran_hertz_history = {
 	.style = { .name = "gran/hertz/history",
 		   .kind = TS_KIND_PAIR,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 		   .summary = "Hertzian springs and dashpots, normal and tangential, in LAMMPS' syntax",
 		   .doc = TS_GRAN_NUMBERS_DOC
 		   "s = sqrt(R* delta), F_n = s (kn delta - m* gamma_n v_n) and F_t = s (-kt xi - m* gamma_t "

@@ -12,7 +12,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke)
 const struct ts_pair_style ts_pair_gran_hooke = {
 	.style = { .name = "gran/hooke",
 		   .kind = TS_KIND_PAIR,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 		   .summary = "linear spring and dashpot with sliding friction, in LAMMPS' syntax",
 		   .doc = TS_GRAN_NUMBERS_DOC
 		   "F_n = kn delta - m* gamma_n v_n and F_t = -min(m* gamma_t, xmu |F_n|/|v_t|) v_t. kt has "

@@ -12,7 +12,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke_history)
 const struct ts_pair_style ts_pair_gran_hooke_history = {
 	.style = { .name = "gran/hooke/history",
 		   .kind = TS_KIND_PAIR,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 		   .summary = "linear spring and dashpot, normal and tangential, in LAMMPS' syntax",
 		   .doc = TS_GRAN_NUMBERS_DOC
 		   "F_n = kn delta - m* gamma_n v_n and F_t = -kt xi - m* gamma_t v_t, xi the tangential "

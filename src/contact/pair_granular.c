@@ -100,7 +100,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_granular)
 const struct ts_pair_style ts_pair_granular = {
 	.style = { .name = "granular",
 		   .kind = TS_KIND_PAIR,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 		   .summary = "contact laws of granular materials, given by pair_coeff, in LAMMPS' syntax",
 		   .doc = TS_GRAN_COEFF_DOC
 		   "\n\n"

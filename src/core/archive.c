@@ -2,6 +2,7 @@
  * A field: length of the name with its final 0 (u32), type (u32), number of elements (u64), name,
  * elements. Numbers are in the byte order of the machine; restart/restart.c checks that order. */
 #include "core/archive.h"
+#include "core/archive_pieces.h"
 
 #include <string.h>
 
@@ -11,7 +12,7 @@
 
 #include "base/banned.h"
 
-enum { MAGIC = 0x41525354, FIELD_HEAD = 16, LONGEST_NAME = 1024 };
+enum { MAGIC = TS_ARCHIVE_MAGIC, FIELD_HEAD = TS_ARCHIVE_HEAD, LONGEST_NAME = TS_ARCHIVE_LONGEST_NAME };
 
 struct field {
 	size_t name, data; /* offsets into the block */
@@ -29,22 +30,6 @@ struct ts_archive {
 	size_t nfields, field_capacity;
 	size_t next; /* the field behind the last one read: the search begins there */
 };
-
-static size_t element_size(enum ts_saved_type type)
-{
-	switch (type) {
-	case TS_SAVED_F64:
-	case TS_SAVED_I64:
-		return 8;
-	case TS_SAVED_I32:
-		return 4;
-	case TS_SAVED_U8:
-		return 1;
-	case TS_SAVED_END:
-		break;
-	}
-	return 0;
-}
 
 bool ts_archive_writing(const struct ts_archive *archive)
 {
@@ -70,7 +55,7 @@ static enum ts_status write_field(struct ts_archive *a, const char *name, enum t
 	TS_TRY(append_bytes(a, head, sizeof head));
 	TS_TRY(append_bytes(a, &n, sizeof n));
 	TS_TRY(append_bytes(a, name, head[0]));
-	return append_bytes(a, data, count * element_size(type));
+	return append_bytes(a, data, count * ts_archive_element(type));
 }
 
 /* Fields are mostly read in the order in which they were written, so the search begins behind the last
@@ -137,7 +122,7 @@ enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, en
 		return write_field(archive, name, type, data, count);
 	TS_TRY(find_field_of_size(archive, name, type, count, &field));
 	if (count)
-		memcpy(data, archive->source + field->data, count * element_size(type));
+		memcpy(data, archive->source + field->data, count * ts_archive_element(type));
 	return TS_OK;
 }
 
@@ -145,7 +130,7 @@ enum ts_status ts_archive_array(struct ts_archive *archive, const char *name, en
 				void **data, size_t *capacity, size_t *count)
 {
 	const struct field *field;
-	size_t size = element_size(type);
+	size_t size = ts_archive_element(type);
 
 	if (archive->writing)
 		return write_field(archive, name, type, *data, *count);
@@ -243,7 +228,7 @@ static bool parse_field(const unsigned char *block, size_t *at, size_t end, stru
 	memcpy(head, block + *at, sizeof head);
 	memcpy(&count, block + *at + sizeof head, sizeof count);
 	*at += FIELD_HEAD;
-	size = head[1] <= TS_SAVED_U8 ? element_size((enum ts_saved_type)head[1]) : 0;
+	size = ts_archive_element(head[1]);
 	if (!size || !head[0] || head[0] > LONGEST_NAME || head[0] > end - *at ||
 	    memchr(block + *at, 0, head[0]) != block + *at + head[0] - 1)
 		return false;

@@ -37,6 +37,7 @@ const struct ts_command_style ts_command_compute = {
 		       "style has no effect.",
 		.example = "compute energy all ke",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct ts_definition),
 	},
 	.run = run_compute,

@@ -27,6 +27,7 @@ const struct ts_command_style ts_command_fix = {
 		       "styles.",
 		.example = "fix fall all gravity 9.81 vector 0 0 -1",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct ts_definition),
 	},
 	.run = run_fix,

@@ -29,6 +29,7 @@ const struct ts_command_style ts_command_uncompute = {
 		.doc = "The compute and its data are deleted.",
 		.example = "uncompute energy",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run_uncompute,

@@ -29,6 +29,7 @@ const struct ts_command_style ts_command_unfix = {
 		.doc = "The fix and its data are deleted.",
 		.example = "unfix fall",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run_unfix,

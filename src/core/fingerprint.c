@@ -7,6 +7,8 @@
 /* Key of the random numbers drawn while the fingerprint is computed: struct ts_draws. */
 enum { FINGERPRINT_SITE = 2 };
 
+static const uint64_t ANY_ORDER = (uint64_t)1 << 63;
+
 static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash);
 
 /* Arguments of regions that are words: v_NAME of a motion, and members of a union or intersection. */
@@ -104,8 +106,25 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 			if (!has_no_effect_on_forces(list->item[i]))
 				TS_TRY(hash_instance(sim, list->item[i], &hash));
 	}
-	*out = ts_hash_value(&hash);
+	*out = ts_fingerprint_in_order(sim) ? ts_hash_value(&hash) & ~ANY_ORDER
+					    : ts_hash_value(&hash) | ANY_ORDER;
 	return TS_OK;
+}
+
+uint64_t ts_fingerprint_of_old(uint64_t fingerprint)
+{
+	return fingerprint & ~ANY_ORDER;
+}
+
+bool ts_fingerprint_in_order(const struct tsim *sim)
+{
+	return sim->run.fingerprint && !(sim->run.fingerprint & ANY_ORDER);
+}
+
+enum ts_status ts_fingerprint_renew(struct tsim *sim)
+{
+	sim->run.fingerprint = 0;
+	return ts_sim_fingerprint(sim, &sim->run.fingerprint);
 }
 
 /* Evaluates variables without side effects: streams of random numbers and next() do not advance. */

@@ -8,5 +8,11 @@
 /* Hash of all that forces depend on: resolved arguments of pair, bond, flow and fixes; dt; box, columns of
  * particles and what else styles add in their slot `fingerprint`. */
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out);
+/* Whether that of the last run was made by an older version, as read from its restart file: it depends on the order of the
+ * particles, and is compared with one that is made so, too. Others have the highest bit. */
+bool ts_fingerprint_in_order(const struct tsim *sim);
+uint64_t ts_fingerprint_of_old(uint64_t fingerprint);
+/* At the end of a run: sim->run.fingerprint becomes that of its state. */
+enum ts_status ts_fingerprint_renew(struct tsim *sim);
 
 #endif

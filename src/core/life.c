@@ -211,6 +211,14 @@ static enum ts_status find_position(struct tsim *sim, enum ts_kind kind, const s
 	return TS_OK;
 }
 
+/* Behind a run that has left the particles divided among ranks: whether an instance of this style can come or go without
+ * them. */
+static bool is_without_rows(const struct tsim *sim, const struct ts_style *style)
+{
+	return sim->division && (!style->init || style->ranks & TS_RANKS_ROWLESS) &&
+	       (ts_ranks_have_read(sim->run.paused) || (style->kind != TS_KIND_PAIR && !style->carrier));
+}
+
 enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
 			     const char *id, int group, struct ts_words args, const struct ts_place *where,
 			     struct ts_instance **out)
@@ -224,6 +232,8 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	TS_TRY(find_position(sim, kind, style, id, where, &at));
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
 	TS_TRY(ts_ranks_allow(sim, style, what, args, where));
+	if (!is_without_rows(sim, style))
+		TS_TRY(ts_ranks_unite(sim));
 	TS_TRY(instance_new(sim, style, id, group, where, &inst));
 	status = ts_words_copy(&inst->arena, args, &inst->words) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	if (status == TS_OK)
@@ -237,6 +247,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 		return status;
 	}
 	if (at < list->n) {
+		ts_ranks_forget(sim, list->item[at]);
 		instance_free(list->item[at]);
 		sim->removals++;
 	} else {
@@ -268,6 +279,9 @@ static enum ts_status remove_from_list(struct tsim *sim, enum ts_kind kind, cons
 	size_t at = 0;
 
 	TS_TRY(ts_sim_require(sim, kind, id, out));
+	if (!is_without_rows(sim, (*out)->style))
+		TS_TRY(ts_ranks_unite(sim));
+	ts_ranks_forget(sim, *out);
 	while (list->item[at] != *out)
 		at++;
 	memmove(&list->item[at], &list->item[at + 1], (list->n - at - 1) * sizeof *list->item);

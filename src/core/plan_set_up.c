@@ -38,24 +38,35 @@ static bool is_recorded(const struct tsim *sim)
 	return sim->recorder && sim->recorder->records(sim->recorder);
 }
 
+/* Whether the last run has left the particles divided, or a look at them. */
+static bool is_apart(const struct tsim *sim)
+{
+	return sim->run.looks || sim->division;
+}
+
 static enum ts_status can_keep_own(const struct ts_plan *plan, struct tsim *sim, bool *can)
 {
 	*can = ts_ranks(sim) > 1 && steps_to_go(sim) > 0 && sim->dimension == 3 && !sim->reading.explain &&
-	       !is_recorded(sim) && !(sim->run.resuming && sim->run.shows_contacts && !sim->run.looks) &&
+	       !is_recorded(sim) && !(sim->run.resuming && sim->run.shows_contacts && !is_apart(sim)) &&
 	       !first_step_is_whole(sim) && !ts_ranks_set_up_whole(plan, sim);
 	if (!*can)
 		return TS_OK;
 	sim->review.found = false;
 	TS_TRY(ts_review_search(sim, steps_to_go(sim), false));
-	*can = !sim->review.found;
+	*can = !(ts_ranks_most(sim, sim->review.found) > 0);
 	return TS_OK;
 }
 
 /* Makes the lists of the particles of this rank; *done: nothing is to be said of them. */
 static enum ts_status make_own_lists(struct ts_plan *plan, struct tsim *sim, bool *done)
 {
-	TS_TRY(sim->run.looks ? sim->tables->divide(plan, sim) : sim->tables->keep_own(sim));
+	const bool was_apart = sim->division;
+
+	if (!was_apart)
+		TS_TRY(sim->tables->keep_own(sim));
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
+	if (was_apart) /* before the exchange */
+		TS_TRY(ts_review_search(sim, steps_to_go(sim), false));
 	TS_TRY(ts_review_search(sim, steps_to_go(sim), true));
 	TS_TRY(sim->tables->judge_own(sim));
 	*done = !(ts_ranks_most(sim, sim->review.found) > 0);
@@ -79,7 +90,10 @@ static enum ts_status set_up_own(struct ts_plan *plan, struct tsim *sim, bool *d
 	if (*done && !resuming)
 		TS_TRY(compute_forces(plan, sim));
 	sim->run.resuming = resuming; /* the sums of the last step are known */
-	TS_TRY(sim->tables->gather(plan, sim, !*done));
+	if (!*done || ts_ranks_first_look(plan, sim))
+		TS_TRY(sim->tables->gather(plan, sim, !*done));
+	else
+		TS_TRY(ts_ranks_tell(sim));
 	sim->run.resuming = resuming;
 	sim->review.made |= *done;
 	return TS_OK;
@@ -89,10 +103,23 @@ static enum ts_status set_up_own(struct ts_plan *plan, struct tsim *sim, bool *d
 static enum ts_status find_resuming(struct tsim *sim)
 {
 	uint64_t fingerprint;
+	double changed;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	sim->run.resuming = !sim->legacy && fingerprint == sim->run.fingerprint;
+	changed = sim->legacy || fingerprint != sim->run.fingerprint;
+	if (is_apart(sim)) /* each rank has hashed its own particles */
+		ts_world_most(sim->world, &changed, 1);
+	sim->run.resuming = !(changed > 0);
 	return TS_OK;
+}
+
+/* What the last run has left divided stays so if each rank can do the set-up by itself, and else is gathered. */
+static enum ts_status begin_apart(struct ts_plan *plan, struct tsim *sim, bool *tried)
+{
+	TS_TRY(can_keep_own(plan, sim, tried));
+	if (!*tried)
+		return ts_plan_have_all(plan, sim);
+	return sim->run.looks ? sim->tables->divide(plan, sim) : TS_OK;
 }
 
 enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
@@ -100,13 +127,12 @@ enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
 	bool tried = false, done = false;
 
 	TS_TRY(find_resuming(sim));
-	if (sim->run.looks && !sim->run.resuming)
-		TS_TRY(ts_plan_have_all(plan, sim));
+	if (is_apart(sim))
+		TS_TRY(begin_apart(plan, sim, &tried));
 	if (!sim->run.resuming)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
-	TS_TRY(can_keep_own(plan, sim, &tried));
-	if (sim->run.looks && !tried)
-		TS_TRY(ts_plan_have_all(plan, sim));
+	if (!is_apart(sim))
+		TS_TRY(can_keep_own(plan, sim, &tried));
 	if (tried)
 		TS_TRY(set_up_own(plan, sim, &done));
 	if (done)

@@ -17,6 +17,8 @@ static enum ts_status have_end(struct ts_plan *plan, struct tsim *sim)
 {
 	if (!ts_ranks_may_pause(plan, sim))
 		return ts_plan_have_all(plan, sim);
+	if (sim->division && ts_ranks_may_rest(plan, sim))
+		return sim->tables->rest(sim, true);
 	return sim->division ? sim->tables->gather(plan, sim, false) : TS_OK;
 }
 
@@ -65,15 +67,18 @@ static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 
 enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
-	enum ts_status status = TS_OK;
+	enum ts_status status;
 
 	ts_settings_log_run(sim);
 	sim->run.inside = true;
 	sim->run.force_ticks = 0;
 	plan->watch.last = ts_ticks();
 	sim->clock.wall_start = ts_clock();
-	if (setup || sim->reading.explain)
+	status = sim->division ? sim->tables->rest(sim, false) : TS_OK;
+	if (status == TS_OK && (setup || sim->reading.explain))
 		status = ts_plan_set_up(plan, sim);
+	else if (status == TS_OK && sim->division && ts_ranks_output_due(plan, sim))
+		status = sim->tables->gather(plan, sim, false);
 	if (sim->reading.explain)
 		sim->clock.step = sim->clock.last_step;
 	else if (status == TS_OK) /* after SETUP, in which fixes evaluate the initial state */
@@ -144,7 +149,7 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 	if (!sim->reading.explain) {
 		TS_TRY(ts_plan_steps(plan, sim));
 		TS_TRY(ts_plan_finish(plan, sim));
-		TS_TRY(ts_sim_fingerprint(sim, &sim->run.fingerprint));
+		TS_TRY(ts_fingerprint_renew(sim));
 	}
 	return ts_plan_stopped(sim);
 }

@@ -29,7 +29,7 @@ void ts_ranks_sums(const struct tsim *sim, int64_t *number, size_t n)
 
 double ts_ranks_same(const struct tsim *sim, double value)
 {
-	if (sim->world && !sim->division)
+	if (sim->world && !(sim->division && sim->run.inside))
 		ts_world_spread(sim->world, 0, &value, sizeof value);
 	return value;
 }
@@ -112,18 +112,6 @@ void ts_ranks_apart(struct tsim *sim, bool begins)
 	sim->run.apart = begins && ts_ranks(sim) > 1;
 }
 
-enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const struct ts_place *where)
-{
-	if (!sim->run.apart)
-		return TS_OK;
-	/* not TS_STATE, which -explain takes for a consequence of values that runs give */
-	return ts_fail(&sim->error, TS_SYNTAX, where,
-		       "'%s' is needed in each step, when each rank has its own particles only (there are "
-		       "%d ranks): expected the time, the step, the box, numbers of the fluid and variables "
-		       "of these; run tsim without mpirun, with threads (OMP_NUM_THREADS); see doc/ranks.md",
-		       name, ts_ranks(sim));
-}
-
 enum ts_status ts_ranks_check_systems(struct tsim *sim)
 {
 	for (const struct ts_system_style *const *s = sim->tables->systems; ts_ranks(sim) > 1 && *s; s++) {
@@ -175,7 +163,7 @@ static bool ends_whole(const struct ts_plan *plan, const struct tsim *sim)
 
 bool ts_ranks_whole_due(const struct ts_plan *plan, const struct tsim *sim)
 {
-	return ends_whole(plan, sim) || sim->requests.saving || sim->requests.stop || sim->run.uneven ||
+	return ends_whole(plan, sim) || sim->requests.saving || sim->requests.stop ||
 	       stage_is_due(plan, sim, TS_STAGE_END_OF_STEP, 0) ||
 	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, 0);
 }
@@ -241,6 +229,58 @@ bool ts_ranks_may_pause(const struct ts_plan *plan, const struct tsim *sim)
 		if (!(plan->actions[TS_STAGE_FINISH][k].self->style->ranks & TS_RANKS_PARTICLES))
 			return false;
 	return !sim->requests.stop && !sim->requests.save && !ts_ranks_set_up_whole(plan, sim);
+}
+
+bool ts_ranks_rowless(const struct tsim *sim)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++) {
+			const struct ts_instance *inst = sim->instances[kind].item[k];
+			bool acts = kind == TS_KIND_FIX || kind == TS_KIND_REGION || kind == TS_KIND_FLOW;
+
+			if (inst->style->init && !(inst->style->ranks & TS_RANKS_ROWLESS))
+				return false;
+			if (acts && ts_ranks_find_shared(sim, inst->words))
+				return false;
+		}
+	return true;
+}
+
+/* Whether a hook of the stage reads or changes particles. */
+static bool stage_has_rows(const struct ts_plan *plan, const struct tsim *sim, enum ts_stage stage)
+{
+	for (size_t k = 0; k < plan->n[stage]; k++) {
+		const struct ts_instance *self = plan->actions[stage][k].self;
+		const struct ts_style *style = self->style;
+		bool idle = style->kind == TS_KIND_SYSTEM && style->due && !style->due(self, sim);
+
+		if (!(style->ranks & TS_RANKS_ROWLESS) && !idle)
+			return true;
+	}
+	return false;
+}
+
+bool ts_ranks_may_rest(const struct ts_plan *plan, const struct tsim *sim)
+{
+	return !stage_has_rows(plan, sim, TS_STAGE_FINISH) && ts_ranks_rowless(sim);
+}
+
+bool ts_ranks_output_due(const struct ts_plan *plan, const struct tsim *sim)
+{
+	return stage_is_due(plan, sim, TS_STAGE_OUTPUT, 0);
+}
+
+bool ts_ranks_first_look(const struct ts_plan *plan, const struct tsim *sim)
+{
+	return stage_has_rows(plan, sim, TS_STAGE_SETUP) || ts_ranks_output_due(plan, sim);
+}
+
+enum ts_status ts_ranks_tell(struct tsim *sim)
+{
+	if (!sim->division)
+		return TS_OK;
+	TS_TRY(sim->tables->rest(sim, true));
+	return sim->tables->rest(sim, false);
 }
 
 bool ts_ranks_step_due(const struct tsim *sim)

@@ -44,8 +44,6 @@ enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct 
 /* Between two calls formulas of commands are evaluated, which are also evaluated while the particles are divided; those of
  * styles: ts_ranks_allow. */
 void ts_ranks_apart(struct tsim *sim, bool begins);
-/* An error if a name that depends on particles is read then. */
-enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const struct ts_place *where);
 /* Before a run: asks all systems whether the particles can be divided. */
 enum ts_status ts_ranks_check_systems(struct tsim *sim);
 /* Calls the slot `settle` of the styles that have anything to do in this step. */
@@ -59,6 +57,15 @@ bool ts_ranks_lists_due(const struct ts_plan *plan, const struct tsim *sim);
 bool ts_ranks_set_up_whole(const struct ts_plan *plan, const struct tsim *sim);
 /* After the last step: whether nothing at the end of the run needs lists of contacts on all ranks (core/ranks_pause.h). */
 bool ts_ranks_may_pause(const struct ts_plan *plan, const struct tsim *sim);
+/* Then: whether nothing needs the particles of all ranks until the next run begins, so that they may stay divided. */
+bool ts_ranks_may_rest(const struct ts_plan *plan, const struct tsim *sim);
+/* Whether the inits of all live styles can be called while the particles are divided. */
+bool ts_ranks_rowless(const struct tsim *sim);
+/* Before the first step of a run: whether a hook of SETUP or OUTPUT needs all particles on each rank; of OUTPUT. */
+bool ts_ranks_first_look(const struct ts_plan *plan, const struct tsim *sim);
+bool ts_ranks_output_due(const struct ts_plan *plan, const struct tsim *sim);
+/* While the particles are divided: the first rank prints the warnings of all. */
+enum ts_status ts_ranks_tell(struct tsim *sim);
 /* When a step begins: whether all ranks do it with all particles. */
 bool ts_ranks_step_due(const struct tsim *sim);
 /* After CHECK: all ranks rebuild the contact list, end, save, or look what runaways meet if one of them wants it. Hooks of

@@ -1,6 +1,7 @@
 #include "core/ranks_pause.h"
 
 #include "core/fingerprint.h"
+#include "core/ranks.h"
 
 #include "base/banned.h"
 
@@ -38,28 +39,75 @@ static enum ts_status find_changed(struct tsim *sim, bool *changed)
 	return TS_OK;
 }
 
-static enum ts_status unite(struct tsim *sim, struct ts_plan *plan)
+bool ts_ranks_have_read(const struct ts_plan *plan)
 {
-	bool changed;
-
-	TS_TRY(find_changed(sim, &changed));
-	sim->run.inside = true;
-	TS_TRY(ts_plan_have_all(plan, sim));
-	sim->run.inside = false;
-	sim->run.fingerprint = 0;
-	return changed ? TS_OK : ts_sim_fingerprint(sim, &sim->run.fingerprint);
+	return plan && !plan->n[TS_STAGE_BUILD];
 }
 
-enum ts_status ts_ranks_unite(struct tsim *sim)
+/* All ranks get all particles, with their lists or for a look. */
+static enum ts_status get_all(struct tsim *sim, struct ts_plan *plan, bool lists)
+{
+	bool changed = false;
+
+	if (!ts_ranks_have_read(plan))
+		TS_TRY(find_changed(sim, &changed));
+	sim->run.inside = true;
+	TS_TRY(lists ? ts_plan_have_all(plan, sim) : sim->tables->gather(plan, sim, false));
+	sim->run.inside = false;
+	sim->run.fingerprint = changed ? 0 : sim->run.fingerprint;
+	return TS_OK;
+}
+
+/* The same while formulas, which the fingerprint evaluates, ask for nothing more. */
+static enum ts_status get_all_once(struct tsim *sim, bool lists)
 {
 	struct ts_plan *plan = sim->run.paused;
 	enum ts_status status;
 
-	if (!plan)
-		return TS_OK;
-	sim->run.paused = NULL; /* the fingerprint evaluates formulas */
-	status = unite(sim, plan);
+	sim->run.paused = NULL;
+	status = get_all(sim, plan, lists);
 	sim->run.paused = plan;
+	return status;
+}
+
+enum ts_status ts_ranks_look(struct tsim *sim)
+{
+	return sim->run.paused && sim->division ? get_all_once(sim, false) : TS_OK;
+}
+
+enum ts_status ts_ranks_require_all(struct tsim *sim, const char *name, const struct ts_place *where)
+{
+	if (!sim->run.apart)
+		return ts_ranks_look(sim);
+	/* not TS_STATE, which -explain takes for a consequence of values that runs give */
+	return ts_fail(&sim->error, TS_SYNTAX, where,
+		       "'%s' is needed in each step, when each rank has its own particles only (there are "
+		       "%d ranks): expected the time, the step, the box, numbers of the fluid and variables "
+		       "of these; run tsim without mpirun, with threads (OMP_NUM_THREADS); see doc/ranks.md",
+		       name, ts_ranks(sim));
+}
+
+enum ts_status ts_ranks_unite(struct tsim *sim)
+{
+	enum ts_status status;
+
+	if (!sim->run.paused)
+		return TS_OK;
+	status = get_all_once(sim, true);
 	ts_ranks_end_pause(sim);
 	return status;
+}
+
+void ts_ranks_forget(struct tsim *sim, const struct ts_instance *inst)
+{
+	struct ts_plan *plan = sim->run.paused;
+
+	for (int stage = 0; plan && stage < TS_NSTAGE; stage++) {
+		size_t kept = 0;
+
+		for (size_t k = 0; k < plan->n[stage]; k++)
+			if (plan->actions[stage][k].self != inst)
+				plan->actions[stage][kept++] = plan->actions[stage][k];
+		plan->n[stage] = kept;
+	}
 }

@@ -156,8 +156,9 @@ struct ts_run_state {
 	double timeout;		    /* ts_clock() at which runs end (timer timeout), s; 0: never */
 	int64_t timeout_every;	    /* steps between comparisons with the clock */
 	struct ts_run_watch *watch; /* or NULL */
-	struct ts_plan *paused;	    /* of the last run, if it has left a look: core/ranks_pause.h */
-	uint64_t force_ticks;	    /* of ts_ticks(), for forces in this run, or in the last one */
+	struct ts_plan *
+		paused; /* of the last run, if it has left particles divided, or a look: core/ranks_pause.h */
+	uint64_t force_ticks; /* of ts_ticks(), for forces in this run, or in the last one */
 };
 
 /* Requests from signal handlers. */

@@ -101,7 +101,10 @@ enum ts_rank_use {
 	/* Its `review` reads no particles and no contacts, but with -explain. */
 	TS_RANKS_REVIEW = 32,
 	/* Commands that read nothing of particles and contacts but by formulas, and change nothing: core/ranks_pause.h. */
-	TS_RANKS_FORMULAS = 64
+	TS_RANKS_FORMULAS = 64,
+	/* Neither its `init` nor its hooks of SETUP and FINISH read or change particles: ranks call them while the particles are
+	 * divided. */
+	TS_RANKS_ROWLESS = 128
 };
 
 struct ts_carrier;

@@ -25,6 +25,7 @@ const struct ts_command_style ts_command_dump = {
 		       "path of the file are created if they do not exist.",
 		.example = "dump rock all custom 1000 post/rock.dump id type x y z radius",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct ts_definition),
 	},
 	.needs_box = true,

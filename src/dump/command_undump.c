@@ -39,6 +39,7 @@ const struct ts_command_style ts_command_undump = {
 		.doc = "The files keep the frames written so far.",
 		.example = "undump rock",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

@@ -88,7 +88,7 @@ TS_STYLE(dump, ts_style, ts_dump_restart)
 const struct ts_style ts_dump_restart = {
 	.name = "restart",
 	.kind = TS_KIND_DUMP,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,
 	.summary = "Writes restart files every N steps",

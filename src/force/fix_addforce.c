@@ -138,7 +138,7 @@ TS_STYLE(fix, ts_style, ts_fix_addforce)
 const struct ts_style ts_fix_addforce = {
 	.name = "addforce",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS,
 	.join = ts_particle_tally_join,
 	.summary = "adds a force to each particle of the group",
 	.doc = "Adds the force (fx, fy, fz) to each particle of the group (that is in the region). The "

@@ -202,7 +202,7 @@ TS_STYLE(fix, ts_style, ts_fix_gravity)
 const struct ts_style ts_fix_gravity = {
 	.name = "gravity",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN,
+	.ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 	.summary = "adds gravity: the same acceleration for all particles of the group",
 	.doc = "Adds the force f = m g to each particle of the group. The direction of g is given by `vector "
 	       "x y z` (normalised), by `chute angle` (in the x-z plane, angle in degrees from -z towards "

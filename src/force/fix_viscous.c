@@ -85,7 +85,7 @@ TS_STYLE(fix, ts_style, ts_fix_viscous)
 const struct ts_style ts_fix_viscous = {
 	.name = "viscous",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN,
+	.ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 	.summary = "adds a viscous force proportional to the velocity",
 	.doc = "Adds the force f = -gamma v to each particle of the group; `scale` multiplies gamma for a "
 	       "type. Velocity Verlet is stable for time steps below 2 m/gamma with the smallest mass m.",

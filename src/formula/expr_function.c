@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "formula/expr.h"
 
 #include "base/banned.h"

@@ -57,8 +57,10 @@ static enum ts_status read_index(struct ts_expr *e, double least, int64_t *out)
 static enum ts_status find_particle(struct ts_expr *e, int64_t identity, size_t at, size_t *row)
 {
 	struct ts_table id = { 0 };
-	enum ts_status status = ts_quantity_eval(e->sim, "id", &id);
+	enum ts_status status;
 
+	TS_TRY(ts_expr_locate_error(e, ts_ranks_look(e->sim), at, e->at));
+	status = ts_quantity_eval(e->sim, "id", &id);
 	*row = 0;
 	while (status == TS_OK && *row < id.rows && (int64_t)id.data[*row] != identity)
 		++*row;
@@ -299,7 +301,8 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 	e->formulas->reads_all |= !(keyword->flags & ALONE);
 	if (e->sim->reading.dry)
 		return set_unknown(out);
-	if (!(keyword->flags & ALONE))
+	if (!(keyword->flags & (ALONE | TS_KEYWORD_SUM)) ||
+	    (keyword->flags & TS_KEYWORD_SUM && e->sim->run.apart))
 		TS_TRY(require_all_particles(e, keyword->name, at));
 	TS_TRY(require_lists(e, keyword->flags & (TS_KEYWORD_CONTACTS | TS_KEYWORD_LISTS), at));
 	status = keyword->eval(e->sim, &out->scalar);

@@ -130,7 +130,7 @@ TS_STYLE(fix, ts_style, ts_fix_nve_limit)
 const struct ts_style ts_fix_nve_limit = {
 	.name = "nve/limit",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS,
 	.join = join,
 	.summary = "velocity Verlet with a limited displacement per step",
 	.doc = "As fix nve, but after each half kick a velocity that would move its particle by more than the limit in a step is reduced to it. The fix is for scenes that begin with overlaps; energy is not conserved while it acts.",

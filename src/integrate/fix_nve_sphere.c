@@ -76,7 +76,7 @@ TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 const struct ts_style ts_fix_nve_sphere = {
 	.name = "nve/sphere",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN,
+	.ranks = TS_RANKS_OWN | TS_RANKS_ROWLESS,
 	.summary = "integrates translation and rotation of the group by velocity Verlet",
 	.doc = "As fix nve, and in addition omega += h/2 T/I before and after the computation of forces and "
 	       "torques T, with I = 0.4 m r^2. Where no style computes torques or reads the rotation, this "

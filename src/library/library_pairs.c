@@ -2,7 +2,7 @@
 #include "library/library.h"
 
 #include "contact/contact_view.h"
-#include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 

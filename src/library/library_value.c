@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "script/script.h"
 
 #include "base/banned.h"

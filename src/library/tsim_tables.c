@@ -52,4 +52,5 @@ const struct ts_tables ts_tables = {
 	.keep_own = ts_division_keep_own,
 	.divide = ts_division_divide,
 	.gather = ts_division_gather,
+	.rest = ts_division_rest,
 };

@@ -172,7 +172,7 @@ TS_STYLE(fix, ts_style, ts_fix_property_global)
 const struct ts_style ts_fix_property_global = {
 	.name = "property/global",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.summary = "defines a material property by name",
 	.doc = "Defines material properties for contact laws by atom type: youngsModulus and poissonsRatio "
 	       "per type; coefficientRestitution, coefficientFriction and others per pair of types. The "

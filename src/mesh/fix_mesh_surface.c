@@ -28,7 +28,7 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
 const struct ts_style ts_fix_mesh_surface = {
 	.name = "mesh/surface",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS,
 	.summary = "A surface of triangles from a file or of given sizes, for walls and insertion faces",
 	.purpose = "The geometry of a machine: from a file of a drawing program, or by its sizes. It has an "
 		   "effect on grains by `fix wall/gran ... mesh`, and moves by fix move/mesh.",

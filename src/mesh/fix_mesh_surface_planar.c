@@ -40,7 +40,7 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface_planar)
 const struct ts_style ts_fix_mesh_surface_planar = {
 	.name = "mesh/surface/planar",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS,
 	.summary = "A flat surface of triangles from a file or of given sizes, for walls and insertion faces",
 	.doc = "The same as fix mesh/surface, but the mesh is refused if the planes of two triangles that "
 	       "share an edge include an angle larger than `curvature`.",

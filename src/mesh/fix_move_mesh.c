@@ -387,7 +387,7 @@ TS_STYLE(fix, ts_style, ts_fix_move_mesh)
 const struct ts_style ts_fix_move_mesh = {
 	.name = "move/mesh",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_REVIEW,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_REVIEW | TS_RANKS_ROWLESS,
 	.summary = "Prescribed motion of a mesh",
 	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body. With the time t since the definition "
 	       "of the fix and w = 2 pi/period:\n\n"

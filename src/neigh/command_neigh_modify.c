@@ -166,6 +166,7 @@ const struct ts_command_style ts_command_neigh_modify = {
 		.example = "neigh_modify delay 0\n"
 		       "neigh_modify exclude type 1 2 exclude group wall wall include bed check yes",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

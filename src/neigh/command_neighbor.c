@@ -54,6 +54,7 @@ const struct ts_command_style ts_command_neighbor = {
 		       "builds, and s may be larger.",
 		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

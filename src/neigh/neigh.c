@@ -246,6 +246,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		if (!sim->run.relist)
 			ts_leaving_hold(sim);
 	}
+	if (sim->division)
+		ts_division_read_out(sim->division);
 	ghost_reach = 2 * largest + nb->built_skin + image_reach;
 	nb->copy_reach = fmax(ghost_reach, nb->centre_reach + nb->built_skin);
 	TS_TRY(ts_exchange_borders(sim, ghost_reach, nb->copy_reach,
@@ -386,6 +388,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct ts_contact_history h = { 0 };
 	enum ts_status status;
 
+	if (ts_division_rereads(sim)) /* the script may have changed what else there is */
+		return ts_contact_history_archive(a, sim, &nb->saved);
 	TS_TRY(archive_bonded(nb, a));
 	TS_TRY(archive_include(nb, a));
 	TS_TRY(archive_skin(nb, a));
@@ -531,6 +535,7 @@ const struct ts_system_style ts_neigh_system = {
 		   .archive = archive,
 		   .fingerprint = fingerprint,
 		   .init = init,
+		   .ranks = TS_RANKS_ROWLESS,
 		   .hook = { [TS_STAGE_CHECK] = check,
 			     [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
 			     [TS_STAGE_EXCHANGE] = exchange,

@@ -13,6 +13,7 @@
 #include "particle/identity.h"
 #include "particle/shared_rows.h"
 #include "particle/turning.h"
+#include "rank/loads.h"
 
 #include "base/banned.h"
 
@@ -20,8 +21,8 @@
 
 /* Room for chance, in particles. */
 enum { FEW = 100 };
-/* The blocks are cut again if one has more than this times the particles of the largest one after the last cut: between
- * steps in which particles are divided anyway, and in others, for which all of them are gathered. */
+/* The blocks are cut again, in the next rebuild, if one has more than this times the particles of the largest one after the
+ * last cut: when all ranks have got all particles, or the numbers are known at the end of a run; and else. */
 static const double UNEVEN = 1.05, VERY_UNEVEN = 1.2;
 
 /* The lengths of the space that most of the particles fill, not 0. */
@@ -60,33 +61,82 @@ static void find_periodic(const struct tsim *sim, bool periodic[3])
 		periodic[k] = ts_box_periodic(&sim->domain->box, k);
 }
 
-/* Blocks of the space between lo and hi, with the same number of the particles at x. */
-static enum ts_status cut_space(struct tsim *sim, int ranks, double (*at)[3], const double lo[3],
-				const double hi[3], struct ts_rank_blocks *blocks)
+/* Where the particles are, and the box. */
+struct placed {
+	double (*x)[3];
+	const int32_t *tag; /* NULL: their numbers instead */
+	size_t n;
+	const double *lo, *hi;
+};
+
+/* At the last rebuild. */
+static struct placed placed_before(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	double(*x)[3] = ts_alloc(p->n, sizeof *x);
+
+	return (struct placed){ p->xhold, p->tag, p->n, sim->domain->held_lo, sim->domain->held_hi };
+}
+
+static struct placed placed_now(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return (struct placed){ p->x, p->tag, p->n, sim->domain->box.lo, sim->domain->box.hi };
+}
+
+/* Particles by which the box is cut; the error of the numbers in the blocks of 4 ranks is then about 0.5 %. */
+enum { SAMPLE = 1 << 17 };
+
+/* Whether the particle is one of about 1/part of all, which are spread over any lattice. */
+static bool is_sampled(int32_t tag, uint64_t part)
+{
+	uint64_t mixed = (uint64_t)tag * 0x9e3779b97f4a7c15u;
+
+	return (mixed >> 32) % part == 0;
+}
+
+/* The places of some particles; while they are divided of those of all ranks, which all get the same. */
+static enum ts_status sample_places(struct tsim *sim, const struct placed *placed, struct ts_parcel *places)
+{
+	double(*at)[3] = placed->x;
+	uint64_t part = (uint64_t)ts_division_sum(sim, (int64_t)placed->n) / SAMPLE + 1;
+	struct ts_parcel own = { 0 };
+	enum ts_status status = TS_OK;
+
+	for (size_t i = 0; status == TS_OK && i < placed->n; i++)
+		if (is_sampled(placed->tag ? placed->tag[i] : (int32_t)i, part))
+			status = ts_parcel_add(sim->division ? &own : places, at[i], sizeof at[i]);
+	if (status == TS_OK && sim->division)
+		status = ts_world_share(sim->world, &own, places);
+	ts_parcel_release(&own);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+/* Blocks with about the same number of the particles. */
+static enum ts_status cut_space(struct tsim *sim, int ranks, struct placed placed,
+				struct ts_rank_blocks *blocks)
+{
+	const double *lo = placed.lo, *hi = placed.hi;
+	struct ts_parcel places = { 0 };
+	enum ts_status status = sample_places(sim, &placed, &places);
+	double(*x)[3] = (double(*)[3])(void *)places.data;
+	size_t n = places.n / sizeof *x;
 	bool periodic[3];
 	int count[3];
-	enum ts_status status = x ? TS_OK : ts_nomem(&sim->error);
 
 	find_periodic(sim, periodic);
-	if (x && p->n)
-		memcpy(x, at, p->n * sizeof *x);
 	if (status == TS_OK)
-		status = choose_grid(sim, ranks, x, p->n, lo, hi, count);
+		status = choose_grid(sim, ranks, x, n, lo, hi, count);
 	if (status == TS_OK &&
-	    !(ts_rank_blocks_cut(blocks, count, lo, hi, periodic) && ts_rank_blocks_balance(blocks, x, p->n)))
+	    !(ts_rank_blocks_cut(blocks, count, lo, hi, periodic) && ts_rank_blocks_balance(blocks, x, n)))
 		status = ts_nomem(&sim->error);
-	ts_free(x);
+	ts_parcel_release(&places);
 	return status;
 }
 
 enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
 {
-	const struct ts_domain *domain = sim->domain;
-
-	return cut_space(sim, ranks, sim->particles->xhold, domain->held_lo, domain->held_hi, blocks);
+	return cut_space(sim, ranks, placed_before(sim), blocks);
 }
 
 /* Whether the present blocks are those of the script's grid and box. */
@@ -130,23 +180,6 @@ static bool is_uneven(const struct ts_division *d, double factor, double n)
 	return !d->held && n > factor * (double)d->cut_most + FEW;
 }
 
-/* Where the particles are, and the box. */
-struct placed {
-	double (*x)[3];
-	const double *lo, *hi;
-};
-
-/* At the last rebuild. */
-static struct placed placed_before(const struct tsim *sim)
-{
-	return (struct placed){ sim->particles->xhold, sim->domain->held_lo, sim->domain->held_hi };
-}
-
-static struct placed placed_now(const struct tsim *sim)
-{
-	return (struct placed){ sim->particles->x, sim->domain->box.lo, sim->domain->box.hi };
-}
-
 /* All ranks have the same particles, and choose the same blocks. */
 static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, const struct placed *placed,
 				    int32_t *owner)
@@ -160,7 +193,7 @@ static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, con
 	if (status == TS_OK && fit)
 		most = find_owners(sim, d, placed->x, owner, n);
 	if (status == TS_OK && (!fit || is_uneven(d, UNEVEN, (double)most))) {
-		status = cut_space(sim, sim->world->n, placed->x, placed->lo, placed->hi, &d->blocks);
+		status = cut_space(sim, sim->world->n, *placed, &d->blocks);
 		if (status == TS_OK)
 			d->cut_most = find_owners(sim, d, placed->x, owner, n);
 	}
@@ -195,6 +228,13 @@ const char *ts_division_refused(const struct tsim *sim)
 	return NULL;
 }
 
+void ts_division_read_out(struct ts_division *d)
+{
+	if (d->reread.all)
+		d->reread.release(d->reread.data);
+	d->reread = (struct ts_reread){ 0 };
+}
+
 void ts_division_free(struct ts_division *d)
 {
 	if (!d)
@@ -205,17 +245,36 @@ void ts_division_free(struct ts_division *d)
 	ts_free(d->turned);
 	ts_str_release(&d->said);
 	ts_parcel_release(&d->look.ghosts);
+	ts_division_read_out(d);
 	ts_rank_blocks_release(&d->blocks);
 	ts_copies_release(&d->copies, d->ranks);
 	ts_free(d);
+}
+
+/* While the particles are divided: new blocks, to which they move in this rebuild. */
+static enum ts_status cut_again(struct tsim *sim, struct ts_division *d)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_rank_points points = { .x = p->x, .n = p->n, .world = sim->world };
+	struct ts_rank_load load;
+
+	sim->run.uneven = false;
+	TS_TRY(cut_space(sim, d->ranks, placed_now(sim), &d->blocks));
+	if (ts_rank_load_find(&d->blocks, &points, &load) != TS_OK)
+		return ts_nomem(&sim->error);
+	d->cut_most = (size_t)load.most;
+	return TS_OK;
 }
 
 enum ts_status ts_division_let_go(struct tsim *sim)
 {
 	const struct ts_box *box = &sim->domain->box;
 
-	if (!sim->division ||
-	    !(ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2)))
+	if (!sim->division || sim->division->reread.all)
+		return TS_OK;
+	if (sim->run.uneven)
+		TS_TRY(cut_again(sim, sim->division));
+	if (!(ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2)))
 		return TS_OK;
 	return ts_turning_exchange(sim);
 }
@@ -270,7 +329,7 @@ static enum ts_status send_all(struct tsim *sim, const int32_t *to, unsigned cha
 		TS_TRY(ts_carrier_rows_deliver(sim, &d->carried[k], out));
 	}
 	TS_TRY(send_particles(sim, to, gone));
-	return ts_carrier_rows_take(sim, d);
+	return d->reread.all ? TS_OK : ts_carrier_rows_take(sim, d);
 }
 
 /* to[i]: the rank of the particle's position. */
@@ -304,8 +363,10 @@ static enum ts_status send_leaving(struct tsim *sim, int32_t *to, unsigned char 
 	sim->run.uneven |= is_uneven(d, VERY_UNEVEN, most[1]);
 	if (!(most[0] > 0))
 		return TS_OK;
-	TS_TRY(ts_carrier_rows_give(sim, d, false, leaving));
-	TS_TRY(ts_turning_add(sim));
+	if (!d->reread.all) { /* else each rank has read what belongs to them */
+		TS_TRY(ts_carrier_rows_give(sim, d, false, leaving));
+		TS_TRY(ts_turning_add(sim));
+	}
 	return send_all(sim, to, gone);
 }
 
@@ -379,6 +440,36 @@ static enum ts_status make_division(struct tsim *sim)
 	return ts_copies_init(&d->copies, d->ranks) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+enum ts_status ts_division_begin(struct tsim *sim, double (*x)[3], size_t n)
+{
+	const struct ts_box *box = &sim->domain->box;
+	struct ts_division *d;
+
+	TS_TRY(make_division(sim));
+	d = sim->particles->division;
+	d->held = false;
+	d->cut_most = n / (size_t)d->ranks;
+	return cut_space(sim, d->ranks, (struct placed){ x, NULL, n, box->lo, box->hi }, &d->blocks);
+}
+
+bool ts_division_owns(const struct tsim *sim, const double x[3])
+{
+	return ts_rank_blocks_owner(&sim->particles->division->blocks, x) == sim->world->rank;
+}
+
+bool ts_division_rereads(const struct tsim *sim)
+{
+	const struct ts_division *d = sim->particles->division;
+
+	return d && d->reread.all && !sim->division;
+}
+
+void ts_division_start(struct tsim *sim, const struct ts_reread *reread)
+{
+	sim->division = sim->particles->division;
+	sim->division->reread = *reread;
+}
+
 enum ts_status ts_division_blocks(struct tsim *sim, struct ts_rank_blocks **blocks)
 {
 	const struct ts_particles *p = sim->particles;
@@ -392,7 +483,7 @@ enum ts_status ts_division_blocks(struct tsim *sim, struct ts_rank_blocks **bloc
 		return TS_OK;
 	d->held = false;
 	d->cut_most = p->n / (size_t)d->ranks;
-	return cut_space(sim, d->ranks, p->x, box->lo, box->hi, &d->blocks);
+	return cut_space(sim, d->ranks, placed_now(sim), &d->blocks);
 }
 
 enum ts_status ts_division_plan(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
@@ -584,17 +675,47 @@ static enum ts_status gather_all(struct ts_plan *plan, struct tsim *sim, struct 
 	return remake_lists(plan, sim, d);
 }
 
+/* Each rank has read its own particles of a file. */
+static enum ts_status read_again(struct tsim *sim, struct ts_division *d)
+{
+	TS_TRY(leave_division(sim, d));
+	TS_TRY(d->reread.all(sim, d->reread.data));
+	ts_division_read_out(d);
+	return TS_OK;
+}
+
 enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool lists)
 {
 	struct ts_division *d = sim->division;
 
+	if (d->reread.all)
+		return read_again(sim, d);
 	ts_deferred_loops_run(sim);
-	if (!sim->run.resuming) /* when a continued run begins, all ranks have the sums of the last step */
+	if (!sim->run.resuming ||
+	    d->unjoined) /* when a continued run begins, all may have the sums of the last step */
 		TS_TRY(join_sums(sim));
+	d->unjoined = false;
 	d->gathered++;
-	if (blocks_are_uneven(sim, d) || sim->run.uneven || lists)
+	sim->run.uneven |= blocks_are_uneven(sim, d);
+	if (lists)
 		return gather_all(plan, sim, d);
 	TS_TRY(ts_division_show(sim, NULL));
 	sim->run.looks = true;
 	return leave_division(sim, d);
+}
+
+enum ts_status ts_division_rest(struct tsim *sim, bool begins)
+{
+	struct ts_division *d = sim->division;
+
+	ts_deferred_loops_run(sim);
+	if (!begins) {
+		listen(sim, d);
+		return TS_OK;
+	}
+	d->unjoined = true;
+	sim->run.uneven |= blocks_are_uneven(sim, d);
+	TS_TRY(print_warnings(sim, d));
+	listen(sim, NULL);
+	return TS_OK;
 }

@@ -34,13 +34,21 @@ struct ts_division {
 	size_t ncarried, carried_capacity;
 	struct ts_carried *turned; /* [nturned], by live style with a carrier: particle/turning.h */
 	size_t nturned, turned_capacity;
-	bool rebuilding;     /* lists are made again for other particles: it is no rebuild of the run */
+	bool unjoined;	 /* at rest behind a run whose sums are of each rank alone: slot `join` of styles */
+	bool rebuilding; /* lists are made again for other particles: it is no rebuild of the run */
 	struct ts_str said;  /* warnings of this rank, which the first one is to print */
 	int64_t built, made; /* how often copies were made, and how many */
 	int64_t moved;	     /* particles that have come from other ranks */
 	int64_t gathered;    /* how often all ranks got all particles */
 	int64_t listed;	     /* how often contacts, too */
 	struct ts_look look;
+	/* Each rank has read its own particles of a file, and nothing has been computed: who needs all reads them again by this
+	 * function. */
+	struct ts_reread {
+		enum ts_status (*all)(struct tsim *sim, void *data);
+		void (*release)(void *data);
+		void *data;
+	} reread;
 	size_t least, most; /* fewest and most particles of a rank when they were gathered last */
 };
 
@@ -48,10 +56,20 @@ struct ts_division {
 enum ts_status ts_division_keep_own(struct tsim *sim);
 enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool lists);
+enum ts_status ts_division_rest(struct tsim *sim, bool begins);
 /* While the particles are divided: appends those with chosen[i] (NULL: all) of the other ranks to the own ones of each rank, in
  * the place of the ghosts, until ts_division_hide; all ranks call both. Else there is nothing to do. */
 enum ts_status ts_division_show(struct tsim *sim, const unsigned char *chosen);
 enum ts_status ts_division_hide(struct tsim *sim);
+/* Before particles are read divided: the blocks of ranks by the places that particles have in the file. */
+enum ts_status ts_division_begin(struct tsim *sim, double (*x)[3], size_t n);
+bool ts_division_owns(const struct tsim *sim, const double x[3]);
+/* They have been read. */
+void ts_division_start(struct tsim *sim, const struct ts_reread *reread);
+/* Whether all particles of the file are being read instead, by all ranks. */
+bool ts_division_rereads(const struct tsim *sim);
+/* Lists are made, or all ranks have all particles: the file is not needed again. */
+void ts_division_read_out(struct ts_division *division);
 /* Slot of the system of particles. */
 const char *ts_division_refused(const struct tsim *sim);
 void ts_division_free(struct ts_division *division);

@@ -1,6 +1,8 @@
 #include "particle/particles.h"
 
 #include "box/domain.h"
+#include "core/fingerprint.h"
+#include "core/ranks.h"
 #include "core/report.h"
 #include "geom/box.h"
 #include "material/property.h"
@@ -201,34 +203,82 @@ static bool has_state(const struct ts_particles *p, size_t k)
 	return p->column[k].active && !(p->column[k].flags & TS_COL_RESULT) && p->n;
 }
 
-static void hash_column(const struct ts_particles *p, size_t k, struct ts_hash *hash)
+static void hash_column(const struct ts_particles *p, size_t k, size_t n, struct ts_hash *hash)
 {
 	const struct ts_column *c = &p->column[k];
 
-	ts_hash_add(hash, c->data, p->n * c->width * c->element);
+	ts_hash_add(hash, c->data, n * c->width * c->element);
 }
 
-/* Columns of styles are added in the order in which these are defined, which is another one after read_restart. */
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
+/* The sum over rows of the column; it does not depend on their order. */
+static uint64_t sum_column(const struct ts_particles *p, size_t k, size_t n)
 {
-	const struct ts_particles *p = self->state;
+	const struct ts_column *c = &p->column[k];
+	const size_t bytes = c->width * c->element;
+	struct ts_hash seed = ts_hash_start();
 	uint64_t sum = 0;
 
-	(void)sim;
-	ts_hash_add(hash, &p->n, sizeof p->n);
-	ts_materials_fingerprint(&p->materials, hash);
+	ts_hash_text(&seed, c->name);
+	for (size_t i = 0; i < n; i++) {
+		struct ts_hash row = seed;
+
+		ts_hash_add(&row, &p->tag[i], sizeof p->tag[i]);
+		ts_hash_add(&row, (const char *)c->data + i * bytes, bytes);
+		sum += ts_hash_value(&row);
+	}
+	return sum;
+}
+
+/* Of restart files of older versions: by the order of the rows. Columns of styles are added in the order in which these are
+ * defined, which is another one after read_restart. */
+static uint64_t hash_in_order(const struct ts_particles *p, struct ts_hash *hash)
+{
+	uint64_t sum = 0;
+
 	for (size_t k = 0; k < TS_NCOLUMN_BUILTIN; k++)
 		if (has_state(p, k))
-			hash_column(p, k, hash);
+			hash_column(p, k, p->n, hash);
 	for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++) {
 		struct ts_hash own = ts_hash_start();
 
 		if (!has_state(p, k))
 			continue;
 		ts_hash_text(&own, p->column[k].name);
-		hash_column(p, k, &own);
+		hash_column(p, k, p->n, &own);
 		sum += ts_hash_value(&own);
 	}
+	return sum;
+}
+
+/* Adds the numbers of all ranks, modulo 2^64. */
+static uint64_t sum_of_ranks(const struct tsim *sim, uint64_t number)
+{
+	int64_t half[2] = { (int64_t)(number & UINT32_MAX), (int64_t)(number >> 32) };
+
+	ts_ranks_sums(sim, half, 2);
+	return (uint64_t)half[0] + ((uint64_t)half[1] << 32);
+}
+
+/* A rank that has all particles for a look hashes its own ones, as without the look. */
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
+{
+	const struct ts_particles *p = self->state;
+	const bool apart = sim->division || sim->run.looks;
+	const size_t n = sim->run.looks ? p->division->look.n : p->n;
+	uint64_t number = n, sum = 0;
+
+	number = apart ? sum_of_ranks(sim, number) : number;
+	ts_hash_add(hash, &number, sizeof number);
+	ts_materials_fingerprint(&p->materials, hash);
+	if (ts_fingerprint_in_order(sim) && !apart) {
+		sum = hash_in_order(p, hash);
+		ts_hash_add(hash, &sum, sizeof sum);
+		return;
+	}
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active && !(p->column[k].flags & TS_COL_RESULT))
+			sum += sum_column(p, k, n);
+	sum = apart ? sum_of_ranks(sim, sum) : sum;
 	ts_hash_add(hash, &sum, sizeof sum);
 }
 
@@ -319,7 +369,7 @@ const struct ts_system_style ts_particles_system = {
 		   .saved = saved,
 		   .archive = archive,
 		   .fingerprint = fingerprint,
-		   .ranks = TS_RANKS_PARTICLES,
+		   .ranks = TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .init = init,
 		   .plan = plan,
 		   .hook = { [TS_STAGE_POST_INTEGRATE] = assign_due_groups,

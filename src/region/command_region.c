@@ -54,6 +54,7 @@ const struct ts_command_style ts_command_region = {
 		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
 		       "region bed delete",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

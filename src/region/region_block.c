@@ -146,7 +146,7 @@ const struct ts_region_style ts_region_block = {
 	.style = {
 		.name = "block",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Axis-aligned box",
 		.doc = "All points with xlo <= x <= xhi, ylo <= y <= yhi and zlo <= z <= zhi. INF means\n"
 		       "infinity; EDGE is the face of the simulation box at the time when the region is\n"

@@ -130,7 +130,7 @@ const struct ts_region_style ts_region_cone = {
 	.style = {
 		.name = "cone",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Truncated cone along a coordinate axis",
 		.doc = "All points between lo and hi whose distance from the axis is at most a radius\n"
 		       "that varies linearly from radius_lo to radius_hi. The center is given in the\n"

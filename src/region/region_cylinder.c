@@ -123,7 +123,7 @@ const struct ts_region_style ts_region_cylinder = {
 	.style = {
 		.name = "cylinder",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Cylinder along a coordinate axis",
 		.doc = "All points between lo and hi whose distance from the axis is at most the radius.\n"
 		       "The center is given in the other two dimensions, in the order x y z: (y, z) for\n"

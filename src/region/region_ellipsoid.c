@@ -80,7 +80,7 @@ const struct ts_region_style ts_region_ellipsoid = {
 	.style = {
 		.name = "ellipsoid",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Ellipsoid",
 		.doc = "All points with ((x - x0)/a)^2 + ((y - y0)/b)^2 + ((z - z0)/c)^2 <= 1. Center\n"
 		       "and semi-axes may be variables; the keyword `rotate` rotates the ellipsoid.",

@@ -85,7 +85,7 @@ const struct ts_region_style ts_region_plane = {
 	.style = {
 		.name = "plane",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Half-space on one side of a plane",
 		.doc = "All points with (x - point) . normal >= 0.",
 		.example = "region upper plane 0 0 0.5 0 0 1 units box",

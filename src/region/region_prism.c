@@ -109,7 +109,7 @@ const struct ts_region_style ts_region_prism = {
 	.style = {
 		.name = "prism",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Parallelepiped",
 		.doc = "The parallelepiped spanned by the edges (xhi-xlo 0 0), (xy yhi-ylo 0) and (xz yz\n"
 		       "zhi-zlo) from the corner (xlo ylo zlo). Faces 1 to 6 are the lower and upper\n"

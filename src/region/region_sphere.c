@@ -105,7 +105,7 @@ const struct ts_region_style ts_region_sphere = {
 	.style = {
 		.name = "sphere",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Sphere",
 		.doc = "All points x with |x - center| <= radius. Center and radius may be variables.",
 		.example = "region drop sphere 0 0 0.5 0.1 units box",

@@ -172,7 +172,7 @@ const struct ts_region_style ts_region_union = {
 	.style = {
 		.name = "union",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Union of regions",
 		.doc = "All points that are in at least one of the n regions, each with its own side.\n"
 		       "Including members of members, counted each time they are named, there may be at\n"
@@ -195,7 +195,7 @@ const struct ts_region_style ts_region_intersect = {
 	.style = {
 		.name = "intersect",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Intersection of regions",
 		.doc = "All points that are in all of the n regions, each with its own side: a region\n"
 		       "with `side out` cuts a hole.",

@@ -168,7 +168,7 @@ const struct ts_region_style ts_region_wedge = {
 	.style = {
 		.name = "wedge",
 		.kind = TS_KIND_REGION,
-		.ranks = TS_RANKS_WHOLE,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 		.summary = "Sector of a cylinder",
 		.doc = "All points of a cylinder between two half-planes from its axis, at angle0 and at\n"
 		       "angle0 + angle. Angles are in degrees and increase from y to z about axis x,\n"

@@ -5,6 +5,7 @@
 
 #include <inttypes.h>
 
+#include "particle/division.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -18,7 +19,8 @@ static enum ts_status read_and_log(struct tsim *sim, const char *path, const str
 {
 	ts_log(&sim->log, "Reading restart file %s ...\n", path);
 	TS_TRY(ts_restart_read(sim, path, where));
-	ts_log(&sim->log, "  step %" PRId64 ", %zu atoms\n", sim->clock.step, sim->particles->n);
+	ts_log(&sim->log, "  step %" PRId64 ", %zu atoms\n", sim->clock.step,
+	       (size_t)ts_division_sum(sim, (int64_t)sim->particles->n));
 	return TS_OK;
 }
 

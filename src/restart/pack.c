@@ -101,6 +101,10 @@ struct ts_unpack {
 	z_stream zip;
 	size_t left; /* bytes that do not fit into zip.avail_out */
 	int code;
+	ts_unpack_take_fn *take; /* NULL: they stay where they are */
+	void *data;
+	unsigned char *room; /* [ROOM], of the present piece */
+	enum ts_status status;
 };
 
 struct ts_unpack *ts_unpack_begin(void *to, size_t n)
@@ -118,19 +122,58 @@ struct ts_unpack *ts_unpack_begin(void *to, size_t n)
 	return u;
 }
 
+struct ts_unpack *ts_unpack_begin_to(ts_unpack_take_fn *take, void *data, size_t n)
+{
+	unsigned char *room = ts_alloc(ROOM, 1);
+	struct ts_unpack *u = room ? ts_unpack_begin(room, n) : NULL;
+
+	if (!u) {
+		ts_free(room);
+		return NULL;
+	}
+	u->take = take;
+	u->data = data;
+	u->room = room;
+	return u;
+}
+
+/* Gives away what is in the room. */
+static void empty_unpacked(struct ts_unpack *u)
+{
+	size_t n = u->take ? (size_t)(u->zip.next_out - u->room) : 0;
+
+	if (n && u->status == TS_OK)
+		u->status = u->take(u->data, u->room, n);
+	if (u->take)
+		u->zip.next_out = u->room;
+	if (u->status != TS_OK)
+		u->code = Z_DATA_ERROR;
+}
+
+enum ts_status ts_unpack_status(const struct ts_unpack *u)
+{
+	return u->status;
+}
+
 void ts_unpack_piece(struct ts_unpack *u, const void *bytes, size_t n)
 {
+	const size_t most = u->take ? ROOM : MOST_ROOM;
+
 	if (u->code == Z_STREAM_END && n)
 		u->code = Z_DATA_ERROR;
 	u->zip.next_in = (z_const Bytef *)(uintptr_t)bytes;
 	u->zip.avail_in = (uInt)n;
 	while (u->code == Z_OK && u->zip.avail_in) {
 		if (!u->zip.avail_out) {
-			u->zip.avail_out = u->left < MOST_ROOM ? (uInt)u->left : MOST_ROOM;
+			empty_unpacked(u);
+			u->zip.avail_out = (uInt)(u->left < most ? u->left : most);
 			u->left -= u->zip.avail_out;
 		}
-		u->code = inflate(&u->zip, Z_NO_FLUSH); /* Z_BUF_ERROR: there are more than n bytes */
+		if (u->code == Z_OK)
+			u->code = inflate(&u->zip, Z_NO_FLUSH); /* Z_BUF_ERROR: there are more than n bytes */
 	}
+	if (u->code == Z_STREAM_END)
+		empty_unpacked(u);
 	if (u->zip.avail_in)
 		u->code = Z_DATA_ERROR;
 }
@@ -140,6 +183,7 @@ bool ts_unpack_end(struct ts_unpack *u)
 	bool whole = u->code == Z_STREAM_END && !u->left && !u->zip.avail_out;
 
 	inflateEnd(&u->zip);
+	ts_free(u->room);
 	ts_free(u);
 	return whole;
 }

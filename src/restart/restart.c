@@ -12,26 +12,18 @@
 #include "core/fingerprint.h"
 #include "core/group.h"
 #include "core/plan.h"
+#include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "core/unclaimed_state.h"
 #include "io/replace.h"
 #include "io/textfile.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 #include "restart/pack.h"
+#include "restart/sections.h"
+#include "restart/sieve.h"
 
 #include "base/banned.h"
-
-/* Version 2 added the section of the script and the arguments of styles. Older versions can be read;
- * doc/restart-format.md says which changes require a new version. */
-#define MAGIC_STEM "tsim restart "
-#define MAGIC MAGIC_STEM "2\n"
-enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 2, MAGIC_LENGTH = sizeof MAGIC - 1 };
-enum { CLOCK_SECTION = 1000, SCRIPT_SECTION = 1001, END_SECTION = 0 };
-enum {
-	NNAMES = 3,
-	LONGEST_NAME = 4096,
-	LARGEST_RATIO = 1040 /* zlib compresses no better */,
-	PIECE = 1 << 18
-};
 
 static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,     TS_KIND_BOND,
 					    TS_KIND_FLOW,   TS_KIND_FIX,      TS_KIND_COMPUTE,
@@ -40,19 +32,13 @@ static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,     TS
 _Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8 && TS_KIND_AUTOMATON == 10,
 	       "restart files contain these numbers");
 
-/* Header of a section, as in the file; names and compressed bytes follow. */
-struct section_head {
-	uint32_t kind, name_length[NNAMES];
-	uint64_t plain, packed; /* bytes before and after compression */
-	uint32_t sum, zero;	/* crc32 of the compressed bytes; padding */
-};
-
 /* ---- contents of the clock section; the same function writes and reads it */
 
 struct run_state {
 	struct ts_clock clock;
 	int32_t units, dimension;
 	uint64_t fingerprint;
+	uint8_t any_order; /* 1: the fingerprint does not depend on the order of the particles; older files have none */
 	int64_t era;
 };
 
@@ -68,7 +54,12 @@ static enum ts_status archive_run_state(struct ts_archive *a, struct run_state *
 	TS_TRY(ts_archive_fixed(a, "dimension", TS_SAVED_I32, &s->dimension, 1));
 	if (ts_archive_has(a, "era")) /* older files have none */
 		TS_TRY(ts_archive_fixed(a, "era", TS_SAVED_I64, &s->era, 1));
-	return ts_archive_fixed(a, "fingerprint", TS_SAVED_I64, &s->fingerprint, 1);
+	TS_TRY(ts_archive_fixed(a, "fingerprint", TS_SAVED_I64, &s->fingerprint, 1));
+	if (!ts_archive_has(a, "any_order")) {
+		s->fingerprint = ts_fingerprint_of_old(s->fingerprint);
+		return TS_OK;
+	}
+	return ts_archive_fixed(a, "any_order", TS_SAVED_U8, &s->any_order, 1);
 }
 
 /* ---- writing */
@@ -102,15 +93,15 @@ static enum ts_status put_packed(void *data, const void *bytes, size_t n)
 	return TS_OK;
 }
 
-static enum ts_status write_packed(struct writer *w, struct section_head *head, const char *const names[],
+static enum ts_status write_packed(struct writer *w, struct ts_section_head *head, const char *const names[],
 				   const struct packed *packed)
 {
 	head->packed = packed->n;
 	head->sum = ts_crc32(0, packed->bytes, packed->n);
-	for (int k = 0; k < NNAMES; k++)
+	for (int k = 0; k < TS_SECTION_NAMES; k++)
 		head->name_length[k] = (uint32_t)strlen(names[k]);
 	TS_TRY(write_bytes(w, head, sizeof *head));
-	for (int k = 0; k < NNAMES; k++)
+	for (int k = 0; k < TS_SECTION_NAMES; k++)
 		TS_TRY(write_bytes(w, names[k], head->name_length[k]));
 	w->sum = (uint32_t)crc32_combine(w->sum, head->sum, (z_off_t)packed->n);
 	return ts_replace_write(&w->out, packed->bytes, packed->n);
@@ -120,7 +111,7 @@ static enum ts_status write_packed(struct writer *w, struct section_head *head, 
 static enum ts_status write_section(struct writer *w, uint32_t kind, const char *const names[],
 				    struct ts_archive *archive)
 {
-	struct section_head head = { .kind = kind };
+	struct ts_section_head head = { .kind = kind };
 	struct packed packed = { 0 };
 	const unsigned char *bytes;
 	enum ts_status status;
@@ -134,7 +125,7 @@ static enum ts_status write_section(struct writer *w, uint32_t kind, const char 
 	return status;
 }
 
-static const char *const no_names[NNAMES] = { "", "", "" };
+static const char *const no_names[TS_SECTION_NAMES] = { "", "", "" };
 
 static enum ts_status write_script_state(struct writer *w)
 {
@@ -146,7 +137,7 @@ static enum ts_status write_script_state(struct writer *w)
 		return ts_nomem(&sim->error);
 	status = sim->script_api->archive(sim->script_api_data, archive);
 	if (status == TS_OK)
-		status = write_section(w, SCRIPT_SECTION, no_names, archive);
+		status = write_section(w, TS_RESTART_SCRIPT_SECTION, no_names, archive);
 	ts_archive_free(archive);
 	return status;
 }
@@ -154,7 +145,7 @@ static enum ts_status write_script_state(struct writer *w)
 static enum ts_status write_clock(struct writer *w)
 {
 	struct tsim *sim = w->sim;
-	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->run.fingerprint,
+	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->run.fingerprint, 1,
 			       sim->era };
 	struct ts_archive *archive = ts_archive_new(sim, true);
 	enum ts_status status;
@@ -163,7 +154,7 @@ static enum ts_status write_clock(struct writer *w)
 		return ts_nomem(&sim->error);
 	status = archive_run_state(archive, &s);
 	if (status == TS_OK)
-		status = write_section(w, CLOCK_SECTION, no_names, archive);
+		status = write_section(w, TS_RESTART_CLOCK_SECTION, no_names, archive);
 	ts_archive_free(archive);
 	return status;
 }
@@ -186,10 +177,10 @@ static enum ts_status write_instance(struct writer *w, struct ts_instance *inst)
 
 static enum ts_status write_all(struct writer *w)
 {
-	const uint32_t mark[2] = { BYTE_ORDER_MARK, VERSION };
-	uint32_t end[2] = { END_SECTION, 0 };
+	const uint32_t mark[2] = { TS_RESTART_BYTE_ORDER_MARK, TS_RESTART_VERSION };
+	uint32_t end[2] = { TS_RESTART_END_SECTION, 0 };
 
-	TS_TRY(write_bytes(w, MAGIC, MAGIC_LENGTH));
+	TS_TRY(write_bytes(w, TS_RESTART_MAGIC, TS_RESTART_MAGIC_LENGTH));
 	TS_TRY(write_bytes(w, mark, sizeof mark));
 	TS_TRY(write_clock(w));
 	if (w->sim->script_api && w->sim->script_api->archive)
@@ -212,7 +203,7 @@ enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct
 
 	/* within a run the forces belong to the current state: a continued run need not compute them again */
 	if (sim->run.inside)
-		TS_TRY(ts_sim_fingerprint(sim, &sim->run.fingerprint));
+		TS_TRY(ts_fingerprint_renew(sim));
 	TS_TRY(ts_replace_begin(&w.out, sim, where, path));
 	status = write_all(&w);
 	if (status == TS_OK)
@@ -221,208 +212,10 @@ enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct
 	return status;
 }
 
-/* ---- reading: the whole file is checked before anything is restored. A file is read a second time then, section by section; the
- * sections of a pipe are all kept until then. */
-
-struct section {
-	struct section_head head;
-	char *name[NNAMES];   /* style, id, group */
-	off_t at;	      /* of its compressed bytes */
-	unsigned char *plain; /* uncompressed bytes; freed once they are restored */
-};
-
-struct reader {
-	struct tsim *sim;
-	const char *path;
-	const struct ts_place *where;
-	struct ts_arena arena;
-	FILE *file;
-	bool twice;	      /* it is a file */
-	uint64_t left;	      /* a section cannot have more bytes */
-	uint32_t sum;	      /* crc32 of all bytes read so far */
-	unsigned char *piece; /* of a section */
-	struct section *section;
-	size_t nsections, section_capacity;
-	size_t system; /* index in the table of systems: the first that is not yet restored */
-};
-
-static enum ts_status refuse_file(struct reader *r, const char *why)
-{
-	return ts_fail(&r->sim->error, TS_DAMAGED, r->where, "restart file '%s' %s", r->path, why);
-}
-
-static enum ts_status read_failed(struct reader *r)
-{
-	return ts_fail(&r->sim->error, TS_IO, r->where, "reading '%s' failed: %s", r->path, strerror(errno));
-}
-
-/* Reads n bytes, without counting them in the checksum of the file. */
-static enum ts_status read_raw(struct reader *r, void *to, size_t n)
-{
-	if (r->sim->requests.stop)
-		return ts_fail(&r->sim->error, TS_STOPPED, r->where, "stopped on request while '%s' was read",
-			       r->path);
-	if (fread(to, 1, n, r->file) == n)
-		return TS_OK;
-	if (ferror(r->file))
-		return read_failed(r);
-	return refuse_file(r, "is cut off");
-}
-
-static enum ts_status read_bytes(struct reader *r, void *to, size_t n)
-{
-	TS_TRY(read_raw(r, to, n));
-	r->sum = ts_crc32(r->sum, to, n);
-	return TS_OK;
-}
-
-static enum ts_status refuse_version(struct reader *r, const char *text)
-{
-	return ts_fail(&r->sim->error, TS_DAMAGED, r->where,
-		       "restart file '%s' has version %.*s of the format, and this program reads versions 1 "
-		       "to %d: it was written by a newer tsim, or is damaged",
-		       r->path, (int)strcspn(text, "\n"), text, VERSION);
-}
-
-static enum ts_status check_start(struct reader *r)
-{
-	char magic[MAGIC_LENGTH + 1] = "", *version = magic + sizeof MAGIC_STEM - 1;
-	uint32_t mark[2];
-	size_t n;
-
-	n = fread(magic, 1, MAGIC_LENGTH, r->file);
-	if (ferror(r->file))
-		return read_failed(r);
-	r->sum = ts_crc32(r->sum, magic, n);
-	if (n < MAGIC_LENGTH || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
-		return refuse_file(r, "is not a restart file of tsim");
-	if (version[0] < '1' || version[0] > '0' + VERSION || version[1] != '\n')
-		return refuse_version(r, version);
-	TS_TRY(read_bytes(r, mark, sizeof mark));
-	if (mark[0] != BYTE_ORDER_MARK)
-		return refuse_file(r, "was written by a machine with another byte order, or is damaged");
-	if (mark[1] != (uint32_t)(version[0] - '0'))
-		return refuse_file(r, "is damaged: it has two versions of the format");
-	return TS_OK;
-}
-
-static enum ts_status read_names(struct reader *r, struct section *s)
-{
-	for (int k = 0; k < NNAMES; k++) {
-		uint32_t length = s->head.name_length[k];
-
-		if (length > LONGEST_NAME)
-			return refuse_file(r, "is damaged: a name is too long");
-		s->name[k] = ts_arena_alloc(&r->arena, length + 1, 1);
-		if (!s->name[k])
-			return ts_nomem(&r->sim->error);
-		TS_TRY(read_bytes(r, s->name[k], length));
-	}
-	return TS_OK;
-}
-
-/* Reads the compressed bytes to their end, also if they are damaged: their checksum tells first. u NULL: only for this. */
-static enum ts_status unpack(struct reader *r, const struct section *s, struct ts_unpack *u, uint32_t *sum)
-{
-	size_t left = (size_t)s->head.packed, n;
-
-	for (; left; left -= n) {
-		n = left < PIECE ? left : PIECE;
-		TS_TRY(read_raw(r, r->piece, n));
-		*sum = ts_crc32(*sum, r->piece, n);
-		if (u)
-			ts_unpack_piece(u, r->piece, n);
-	}
-	return TS_OK;
-}
-
-static enum ts_status check_sum(struct reader *r, const struct section *s, uint32_t sum)
-{
-	if (sum != s->head.sum)
-		return refuse_file(r, "is damaged: the checksum of a section is wrong");
-	return TS_OK;
-}
-
-static enum ts_status decompress(struct reader *r, struct section *s, uint32_t *sum)
-{
-	enum ts_status status;
-	struct ts_unpack *u;
-	bool whole;
-
-	s->plain = ts_alloc((size_t)s->head.plain, 1);
-	u = s->plain ? ts_unpack_begin(s->plain, (size_t)s->head.plain) : NULL;
-	if (!u)
-		return ts_nomem(&r->sim->error);
-	status = unpack(r, s, u, sum);
-	whole = ts_unpack_end(u);
-	TS_TRY(status);
-	TS_TRY(check_sum(r, s, *sum));
-	return whole ? TS_OK : refuse_file(r, "is damaged: a section cannot be expanded");
-}
-
-static enum ts_status check_section(struct reader *r, struct section *s)
-{
-	uint32_t sum = 0;
-
-	if (s->head.packed > r->left)
-		return refuse_file(r, "is cut off");
-	if (s->head.plain / LARGEST_RATIO > s->head.packed)
-		return refuse_file(r, "is damaged: a section has an impossible size");
-	s->at = r->twice ? ftello(r->file) : 0;
-	TS_TRY(r->twice ? unpack(r, s, NULL, &sum) : decompress(r, s, &sum));
-	TS_TRY(check_sum(r, s, sum));
-	r->sum = (uint32_t)crc32_combine(r->sum, sum, (z_off_t)s->head.packed);
-	return TS_OK;
-}
-
-/* `before`: the checksum of all bytes before the end mark. */
-static enum ts_status check_end(struct reader *r, uint32_t before)
-{
-	uint32_t sum;
-
-	TS_TRY(read_bytes(r, &sum, sizeof sum));
-	if (getc(r->file) != EOF)
-		return refuse_file(r, "is damaged: there are data after its end");
-	if (sum != before)
-		return refuse_file(r, "is damaged: its checksum is wrong");
-	return TS_OK;
-}
-
-static enum ts_status read_sections(struct reader *r)
-{
-	struct section_head head;
-
-	for (;;) {
-		uint32_t before = r->sum;
-		struct section *s;
-
-		TS_TRY(read_bytes(r, &head.kind, sizeof head.kind));
-		if (head.kind == END_SECTION)
-			return check_end(r, before);
-		if (TS_GROW(r->section, r->section_capacity, r->nsections + 1) != TS_OK)
-			return ts_nomem(&r->sim->error);
-		TS_TRY(read_bytes(r, (char *)&head + sizeof head.kind, sizeof head - sizeof head.kind));
-		s = &r->section[r->nsections++];
-		s->head = head;
-		TS_TRY(read_names(r, s));
-		TS_TRY(check_section(r, s));
-	}
-}
-
-/* The bytes of a section of a file that has been checked. */
-static enum ts_status read_again(struct reader *r, struct section *s)
-{
-	uint32_t sum = 0;
-
-	if (s->plain)
-		return TS_OK;
-	if (fseeko(r->file, s->at, SEEK_SET) != 0)
-		return read_failed(r);
-	return decompress(r, s, &sum);
-}
+/* ---- restoring */
 
 /* Restores run state, instance, or (both NULL) variables of the script from a section. */
-static enum ts_status restore_from(struct reader *r, const struct section *s, struct run_state *clock,
+static enum ts_status restore_from(struct ts_sections *r, const struct ts_section *s, struct run_state *clock,
 				   struct ts_instance *inst)
 {
 	struct ts_archive *archive = ts_archive_new(r->sim, false);
@@ -441,21 +234,21 @@ static enum ts_status restore_from(struct reader *r, const struct section *s, st
 	return status;
 }
 
-static enum ts_status restore_clock(struct reader *r)
+static enum ts_status restore_clock(struct ts_sections *r)
 {
 	static const char *const units[] = { "lj", "si", "cgs", "micro" };
 	struct tsim *sim = r->sim;
 	struct run_state s = { 0 };
 
-	if (!r->nsections || r->section[0].head.kind != CLOCK_SECTION)
-		return refuse_file(r, "is damaged: it does not begin with the clock");
-	TS_TRY(read_again(r, &r->section[0]));
+	if (!r->nsections || r->section[0].head.kind != TS_RESTART_CLOCK_SECTION)
+		return ts_sections_refuse(r, "is damaged: it does not begin with the clock");
+	TS_TRY(ts_sections_again(r, &r->section[0]));
 	TS_TRY(restore_from(r, &r->section[0], &s, NULL));
 	if (s.units < 0 || s.units > TS_UNITS_MICRO || (s.dimension != 2 && s.dimension != 3))
-		return refuse_file(r, "is damaged: unknown units or dimension");
+		return ts_sections_refuse(r, "is damaged: unknown units or dimension");
 	if (s.clock.base_step < 0 || s.clock.step < s.clock.base_step || !isfinite(s.clock.base_time) ||
 	    !isfinite(s.clock.dt))
-		return refuse_file(r, "is damaged: impossible step or time");
+		return ts_sections_refuse(r, "is damaged: impossible step or time");
 	if (sim->units != TS_UNITS_LJ && (int32_t)sim->units != s.units)
 		return ts_fail(&sim->error, TS_STATE, r->where,
 			       "restart file '%s' is in units %s, but the script says units %s", r->path,
@@ -474,43 +267,212 @@ static enum ts_status restore_clock(struct reader *r)
 }
 
 /* Systems are restored in the order of the table, each once: later ones depend on earlier ones. */
-static enum ts_status restore_system(struct reader *r, const struct section *s)
+static enum ts_status restore_system(struct ts_sections *r, const struct ts_section *s)
 {
 	struct ts_instance *inst = ts_sim_find(r->sim, TS_KIND_SYSTEM, s->name[0]);
 
 	if (!inst)
-		return refuse_file(r, "holds the state of a system this program does not have");
+		return ts_sections_refuse(r, "holds the state of a system this program does not have");
 	while (r->sim->tables->systems[r->system] &&
 	       &r->sim->tables->systems[r->system]->style != inst->style)
 		r->system++;
 	if (!r->sim->tables->systems[r->system])
-		return refuse_file(r, "is damaged: its sections are out of order");
+		return ts_sections_refuse(r, "is damaged: its sections are out of order");
 	r->system++;
 	return restore_from(r, s, NULL, inst);
 }
 
-static enum ts_status restore_section(struct reader *r, const struct section *s)
+static enum ts_status restore_section(struct ts_sections *r, const struct ts_section *s)
 {
-	if (s->head.kind == SCRIPT_SECTION)
+	if (s->head.kind == TS_RESTART_SCRIPT_SECTION)
 		return restore_from(r, s, NULL, NULL);
 	if (s->head.kind == 0 || s->head.kind > TS_NKIND)
-		return refuse_file(r, "holds the state of an unknown kind of style");
+		return ts_sections_refuse(r, "holds the state of an unknown kind of style");
 	if (s->head.kind - 1 != TS_KIND_SYSTEM)
 		return ts_unclaimed_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0], s->name[1],
 					s->name[2], s->plain, (size_t)s->head.plain);
 	return restore_system(r, s);
 }
 
-static enum ts_status restore_all(struct reader *r)
+/* ---- several ranks, each of which restores the particles of its block */
+
+enum { PARTICLES, CONTACTS };
+static const char *const divided[] = { [PARTICLES] = "particles", [CONTACTS] = "neigh" };
+
+static bool is_system(const struct ts_section *s, const char *name)
+{
+	return s->head.kind == TS_KIND_SYSTEM + 1 && strcmp(s->name[0], name) == 0;
+}
+
+static enum ts_status note_longest(void *data, const char *name, const struct ts_archive_head *head)
+{
+	uint64_t *longest = data;
+
+	(void)name;
+	*longest = head->count > *longest ? head->count : *longest;
+	return TS_OK;
+}
+
+static enum ts_status skip_bytes(void *data, const unsigned char *bytes, size_t n)
+{
+	(void)data, (void)bytes, (void)n;
+	return TS_OK;
+}
+
+static enum ts_status skip_end(void *data)
+{
+	(void)data;
+	return TS_OK;
+}
+
+/* Elements of the longest field of a section that has been read. */
+static uint64_t longest_field(const struct ts_section *s)
+{
+	uint64_t longest = 0;
+	const struct ts_archive_taker taker = { note_longest, skip_bytes, skip_end, &longest };
+	struct ts_archive_pieces pieces;
+
+	ts_archive_pieces_begin(&pieces, &taker, s->head.plain);
+	if (ts_archive_pieces_add(&pieces, s->plain, (size_t)s->head.plain) != TS_OK)
+		return UINT64_MAX;
+	return longest;
+}
+
+/* Whether a section can be restored while each rank has its own particles: it has no number for each particle, bond or body. */
+static enum ts_status check_without_rows(struct ts_sections *r, struct ts_section *s, bool *is)
+{
+	enum { LONGEST = 1 << 20 };
+	struct ts_archive *archive;
+
+	*is = s->head.kind == TS_RESTART_SCRIPT_SECTION || s->head.plain < LONGEST;
+	if (s->head.kind == TS_RESTART_SCRIPT_SECTION || !*is)
+		return TS_OK;
+	TS_TRY(ts_sections_again(r, s));
+	archive = ts_archive_new(r->sim, false);
+	if (!archive)
+		return ts_nomem(&r->sim->error);
+	*is = ts_archive_from(archive, s->plain, (size_t)s->head.plain) == TS_OK &&
+	      longest_field(s) < r->sieve->n;
+	if (is_system(s, "bonds"))
+		*is &= ts_archive_expect(archive, "tag", TS_SAVED_I32, 0) == TS_OK;
+	else if (is_system(s, "rigid") && ts_archive_has(archive, "id"))
+		*is &= ts_archive_expect(archive, "id", TS_SAVED_I32, 0) == TS_OK;
+	ts_archive_free(archive);
+	ts_error_clear(&r->sim->error);
+	return TS_OK;
+}
+
+static enum ts_status check_others(struct ts_sections *r, bool *can)
+{
+	for (size_t k = 1; k < r->nsections && *can; k++) {
+		struct ts_section *s = &r->section[k];
+
+		if (!is_system(s, "domain") && !is_system(s, divided[PARTICLES]) &&
+		    !is_system(s, divided[CONTACTS]))
+			TS_TRY(check_without_rows(r, s, can));
+	}
+	return TS_OK;
+}
+
+static void give_up_dividing(struct ts_sections *r)
+{
+	if (r->sieve)
+		ts_sieve_release(r->sieve);
+	ts_free(r->sieve);
+	r->sieve = NULL;
+}
+
+/* The box is restored; finds the particles of this rank. */
+static enum ts_status begin_dividing(struct ts_sections *r, const struct ts_section *particles)
+{
+	struct tsim *sim = r->sim;
+	struct ts_archive_taker taker;
+	enum ts_status status;
+	bool can = true;
+
+	if (ts_ranks(sim) < 2 || !sim->world || !sim->run.pauses || !r->twice || sim->dimension != 3 ||
+	    sim->legacy || ts_fingerprint_in_order(sim) || !ts_sim_has_box(sim))
+		return TS_OK;
+	r->sieve = ts_alloc(1, sizeof *r->sieve);
+	if (!r->sieve)
+		return ts_nomem(&sim->error);
+	r->sieve->sim = sim;
+	taker = ts_sieve_places(r->sieve);
+	status = ts_sections_expand(r, particles, &taker);
+	if (status == TS_OK)
+		status = check_others(r, &can);
+	if (status == TS_DAMAGED && sim->error.status == TS_OK) { /* whoever restores all says why */
+		status = TS_OK;
+		can = false;
+	}
+	if (status != TS_OK || !can)
+		give_up_dividing(r);
+	return status;
+}
+
+/* Makes the section of this rank, of its particles or of their contacts. */
+static enum ts_status read_own(struct ts_sections *r, struct ts_section *s, int part)
+{
+	struct ts_archive_taker taker =
+		part == PARTICLES ? ts_sieve_particles(r->sieve) : ts_sieve_contacts(r->sieve);
+	enum ts_status status;
+	size_t n = 0;
+
+	r->whole[part] = *s;
+	status = ts_sections_expand(r, s, &taker);
+	if (status == TS_DAMAGED && r->sim->error.status == TS_OK)
+		return ts_sections_refuse(r, "is damaged: particles or contacts are incomplete");
+	TS_TRY(status);
+	s->plain = ts_sieve_section(r->sieve, &n);
+	s->head.plain = n;
+	return s->plain ? TS_OK : ts_nomem(&r->sim->error);
+}
+
+/* The bytes of a section that are to be restored. */
+static enum ts_status read_section(struct ts_sections *r, struct ts_section *s)
+{
+	if (is_system(s, divided[PARTICLES]))
+		TS_TRY(begin_dividing(r, s));
+	for (int part = PARTICLES; r->sieve && part <= CONTACTS; part++)
+		if (is_system(s, divided[part]))
+			return read_own(r, s, part);
+	return ts_sections_again(r, s);
+}
+
+/* All ranks get all particles after all, before anything has been computed. */
+static enum ts_status restore_part(struct ts_sections *r, int part)
+{
+	struct ts_section *s = &r->whole[part];
+	enum ts_status status;
+
+	if (!s->at) /* there is no such section */
+		return TS_OK;
+	TS_TRY(ts_sections_again(r, s));
+	status = restore_from(r, s, NULL, ts_sim_find(r->sim, TS_KIND_SYSTEM, divided[part]));
+	ts_free(s->plain);
+	s->plain = NULL;
+	return status;
+}
+
+static enum ts_status restore_whole(struct tsim *sim, void *data)
+{
+	const int lost_policy = sim->particles->lost_policy; /* of the script */
+	enum ts_status status = restore_part(data, PARTICLES);
+
+	sim->particles->lost_policy = lost_policy;
+	return status == TS_OK ? restore_part(data, CONTACTS) : status;
+}
+
+static enum ts_status restore_all(struct ts_sections *r)
 {
 	TS_TRY(restore_clock(r));
 	for (size_t k = 1; k < r->nsections; k++) {
-		TS_TRY(read_again(r, &r->section[k]));
+		TS_TRY(read_section(r, &r->section[k]));
 		TS_TRY(restore_section(r, &r->section[k]));
 		ts_free(r->section[k].plain);
 		r->section[k].plain = NULL;
 	}
-	return ts_sim_has_box(r->sim) ? TS_OK : refuse_file(r, "is damaged: it has no simulation box");
+	return ts_sim_has_box(r->sim) ? TS_OK : ts_sections_refuse(r, "is damaged: it has no simulation box");
 }
 
 /* A file with valid checksums may still have impossible contents: nothing of it is kept. */
@@ -521,50 +483,56 @@ static void discard_state(struct tsim *sim)
 	ts_unclaimed_free(sim);
 }
 
-static enum ts_status read_stream(struct reader *r)
+static void release_all(void *reader)
 {
-	struct stat info;
-
-	r->twice = ts_files_stat(&r->sim->files, r->path, &info) == 0 && S_ISREG(info.st_mode) &&
-		   fseeko(r->file, 0, SEEK_SET) == 0;
-	r->left = r->twice ? (uint64_t)info.st_size
-			   : UINT64_MAX; /* what sections of a pipe have cannot be known */
-	TS_TRY(check_start(r));
-	return read_sections(r);
+	give_up_dividing(reader);
+	ts_sections_close(reader);
+	ts_free(reader);
 }
 
-static enum ts_status read_file(struct reader *r)
+/* What has been restored stays divided: the file is kept for who needs all of it. */
+static enum ts_status stay_divided(struct ts_sections *r)
 {
-	r->file = ts_files_open_along(&r->sim->files, r->path);
-	if (!r->file)
-		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s", r->path,
-			       ts_files_why(&r->sim->files));
-	r->piece = ts_alloc(PIECE, 1);
-	return r->piece ? read_stream(r) : ts_nomem(&r->sim->error);
+	struct ts_plan none = { 0 };
+
+	give_up_dividing(r);
+	TS_TRY(ts_ranks_pause(r->sim, &none));
+	ts_division_start(r->sim, &(struct ts_reread){ restore_whole, release_all, r });
+	return TS_OK;
 }
 
-static void release(struct reader *r)
+static struct ts_sections *new_reader(struct tsim *sim, const char *path, const struct ts_place *where)
 {
-	if (r->file)
-		fclose(r->file);
-	for (size_t k = 0; k < r->nsections; k++)
-		ts_free(r->section[k].plain);
-	ts_arena_release(&r->arena);
-	ts_free(r->section);
-	ts_free(r->piece);
+	struct ts_sections *r = ts_alloc(1, sizeof *r);
+
+	if (!r)
+		return NULL;
+	r->sim = sim;
+	r->path = ts_arena_strdup(&r->arena, path);
+	r->place = *where;
+	r->where = &r->place;
+	if (r->path)
+		return r;
+	release_all(r);
+	return NULL;
 }
 
 enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct ts_place *where)
 {
-	struct reader r = { .sim = sim, .path = path, .where = where };
+	struct ts_sections *r;
 	enum ts_status status;
 
 	if (ts_sim_has_box(sim))
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "there is a box already: read_restart comes before create_box");
-	status = read_file(&r);
-	if (status == TS_OK && (status = restore_all(&r)) != TS_OK)
+	r = new_reader(sim, path, where);
+	if (!r)
+		return ts_nomem(&sim->error);
+	status = ts_sections_open(r);
+	if (status == TS_OK && (status = restore_all(r)) != TS_OK)
 		discard_state(sim);
-	release(&r);
+	if (status == TS_OK && r->sieve)
+		return stay_divided(r);
+	release_all(r);
 	return status;
 }

@@ -15,21 +15,20 @@ struct held {
 	const struct tsim *sim;
 	ts_excluded_fn *excluded;
 	double (*x)[3];
-	size_t *particle, n;
+	size_t *particle, n, held;
 	size_t contacts, a, b; /* number, and the last one */
 };
 
 static enum ts_status collect(struct held *h)
 {
 	const struct ts_particles *p = h->sim->particles;
-	size_t held = 0;
 
 	for (size_t i = 0; i < p->n; i++)
-		held += p->imass[i] > 0 ? 0 : 1;
-	if (held < 2)
+		h->held += p->imass[i] > 0 ? 0 : 1;
+	if (h->held < 2)
 		return TS_OK;
-	h->x = ts_alloc(held, sizeof *h->x);
-	h->particle = ts_alloc(held, sizeof *h->particle);
+	h->x = ts_alloc(h->held, sizeof *h->x);
+	h->particle = ts_alloc(h->held, sizeof *h->particle);
 	if (!h->x || !h->particle)
 		return TS_NOMEM;
 	for (size_t i = 0; i < p->n; i++) {
@@ -85,7 +84,8 @@ enum ts_status ts_review_held_contacts(struct tsim *sim)
 	ts_free(h.particle);
 	if (status != TS_OK)
 		return ts_nomem(&sim->error);
-	if (!h.contacts)
+	if (!h.contacts &&
+	    !(sim->division && h.held)) /* it may touch one of another rank: all look for that */
 		return TS_OK;
 	return ts_review_report(sim, "held_contacts", NULL,
 				"contacts of two particles that `fix freeze` or `fix move` holds: %zu, one "

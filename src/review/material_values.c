@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/ranks.h"
 #include "force/gravity.h"
 #include "material/property.h"
 #include "particle/columns.h"
@@ -152,12 +153,15 @@ static enum ts_status report_modulus(struct tsim *sim, const struct ts_instance 
 				what, modulus);
 }
 
-static bool has_type(const struct ts_particles *p, int type)
+/* Of all ranks. */
+static bool has_type(const struct tsim *sim, int type)
 {
-	for (size_t i = 0; i < p->n; i++)
-		if (p->type[i] == type)
-			return true;
-	return false;
+	const struct ts_particles *p = sim->particles;
+	bool has = false;
+
+	for (size_t i = 0; i < p->n && !has; i++)
+		has = p->type[i] == type;
+	return ts_ranks_most(sim, has) > 0;
 }
 
 static enum ts_status check_walls(struct tsim *sim)
@@ -171,7 +175,7 @@ static enum ts_status check_walls(struct tsim *sim)
 			for (int b = 1; b <= sim->particles->ntypes; b++) {
 				double modulus = modulus_of(&w->model, ts_wall_law(w, sim, a, b));
 
-				if (!has_type(sim->particles, b) || !is_unlikely_modulus(modulus))
+				if (!has_type(sim, b) || !is_unlikely_modulus(modulus))
 					continue;
 				snprintf(what, sizeof what, "contacts of type %d with wall %.30s", b, by->id);
 				return report_modulus(sim, by, what, modulus);
@@ -188,11 +192,11 @@ enum ts_status ts_review_modulus(struct tsim *sim)
 	if (sim->units != TS_UNITS_SI)
 		return TS_OK;
 	for (int a = 1; by && a <= p->ntypes; a++)
-		for (int b = a; has_type(p, a) && b <= p->ntypes; b++) {
+		for (int b = a; has_type(sim, a) && b <= p->ntypes; b++) {
 			double modulus =
 				modulus_of(ts_pair_model(by->state, a, b), ts_pair_law(by->state, a, b));
 
-			if (!has_type(p, b) || !is_unlikely_modulus(modulus))
+			if (!has_type(sim, b) || !is_unlikely_modulus(modulus))
 				continue;
 			snprintf(what, sizeof what, "contacts of types %d and %d", a, b);
 			return report_modulus(sim, by, what, modulus);

@@ -5,10 +5,12 @@
 
 #include "bond/bonds.h"
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "force/gravity.h"
 #include "integrate/integrators.h"
 #include "mesh/mesh_motion.h"
 #include "mesh/mesh_surface.h"
+#include "particle/division.h"
 #include "wall/primitive_wall.h"
 
 #include "base/banned.h"
@@ -49,7 +51,7 @@ static bool is_normal_to_fixed_faces(const struct ts_box *box, const struct ts_p
 		       : has_fixed_faces(box, (shape + 1) % 3) && has_fixed_faces(box, (shape + 2) % 3);
 }
 
-/* Radius of the largest particle; without particles an upper bound, the length of the box. */
+/* Radius of the largest particle, of all ranks; without particles an upper bound, the length of the box. */
 static double largest_radius(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -57,7 +59,8 @@ static double largest_radius(const struct tsim *sim)
 
 	for (size_t i = 0; i < p->n; i++)
 		most = fmax(most, p->radius[i]);
-	for (int dim = 0; dim < 3 && !p->n; dim++)
+	most = ts_ranks_most(sim, most);
+	for (int dim = 0; dim < 3 && !(most > 0); dim++)
 		most = fmax(most, ts_box_length(&sim->domain->box, dim));
 	return most;
 }
@@ -118,6 +121,23 @@ static void add_path(const struct tsim *sim, size_t i, const double g[3], int di
 	fall->n++;
 }
 
+/* The particles of all ranks together. */
+static void merge_falls(const struct tsim *sim, struct fall *fall)
+{
+	double most[6];
+
+	for (int k = 0; k < 3; k++) {
+		most[k] = -fall->lo[k];
+		most[3 + k] = fall->hi[k];
+	}
+	ts_ranks_most_of(sim, most, 6);
+	for (int k = 0; k < 3; k++) {
+		fall->lo[k] = -most[k];
+		fall->hi[k] = most[3 + k];
+	}
+	fall->n = (size_t)ts_division_sum(sim, (int64_t)fall->n);
+}
+
 /* Free fall along dim, with acceleration g, for the time of the run. */
 static struct fall free_fall(const struct tsim *sim, const struct ts_instance *by, int dim, const double g[3])
 {
@@ -135,6 +155,7 @@ static struct fall free_fall(const struct tsim *sim, const struct ts_instance *b
 		    (g[dim] < 0 ? end < box->lo[dim] : end > box->hi[dim]))
 			add_path(sim, i, g, dim, &fall);
 	}
+	merge_falls(sim, &fall);
 	if (g[dim] < 0)
 		fall.lo[dim] = fmin(fall.lo[dim], box->lo[dim] - largest_radius(sim));
 	else
@@ -198,7 +219,7 @@ static bool any_may_stop(const struct tsim *sim, int dim, const struct fall *fal
 			return true;
 	for (size_t i = 0; i < p->n; i++)
 		held |= !(p->imass[i] > 0);
-	return held;
+	return ts_ranks_most(sim, held) > 0;
 }
 
 /* Fixes other than gravity and walls that add forces, bonds, fluids and host programs may keep particles from

@@ -30,23 +30,23 @@ static void print_times(const struct ts_plan *plan, struct tsim *sim, double wal
 }
 
 /* What the ranks have sent since the last run. */
-static void print_ranks(struct tsim *sim, int64_t steps)
+static void print_ranks(struct tsim *sim, int64_t steps, size_t n)
 {
 	struct ts_division *d = sim->particles->division;
 	struct ts_world_counts *c;
-	const int *n;
+	const int *count;
 
 	if (!d || !steps)
 		return;
 	c = &sim->world->counts;
-	n = d->blocks.count;
+	count = d->blocks.count;
 	ts_log(&sim->log, "Ranks: %d as ", sim->world->n);
 	if (d->blocks.bisection)
 		ts_log(&sim->log, "blocks of a recursive bisection");
 	else
-		ts_log(&sim->log, "%d x %d x %d blocks", n[0], n[1], n[2]);
+		ts_log(&sim->log, "%d x %d x %d blocks", count[0], count[1], count[2]);
 	ts_log(&sim->log, ", %zu to %zu particles each, imbalance %.3g\n", d->least, d->most,
-	       sim->particles->n ? (double)d->most * sim->world->n / (double)sim->particles->n : 1);
+	       n ? (double)d->most * sim->world->n / (double)n : 1);
 	ts_log(&sim->log,
 	       "Of the first rank: %.1f messages, %.0f bytes and %.2f agreements a step, %.0f copies of "
 	       "particles, %" PRId64 " particles received; all gathered %" PRId64 " times, %" PRId64
@@ -66,7 +66,7 @@ static void count_rows(const struct tsim *sim, int64_t number[2])
 
 	number[0] = (int64_t)(sim->run.looks ? p->division->look.nghost : p->nghost);
 	number[1] = (int64_t)sim->neigh->contacts.n;
-	if (sim->run.looks)
+	if (sim->run.looks || sim->division)
 		ts_ranks_sums(sim, number, 2);
 }
 
@@ -74,19 +74,19 @@ static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t s
 {
 	double wall = ts_clock() - sim->clock.wall_start;
 	const struct ts_particles *p = sim->particles;
+	const size_t n = (size_t)ts_division_sum(sim, (int64_t)p->n);
 	int64_t number[2];
 
 	ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n", wall,
-	       sim->threads * ts_ranks(sim), steps, p->n);
-	if (steps && p->n)
-		ts_log(&sim->log, "%.1f ns per particle-step\n\n",
-		       1e9 * wall / ((double)steps * (double)p->n));
+	       sim->threads * ts_ranks(sim), steps, n);
+	if (steps && n)
+		ts_log(&sim->log, "%.1f ns per particle-step\n\n", 1e9 * wall / ((double)steps * (double)n));
 	print_times(plan, sim, wall);
 	count_rows(sim, number);
-	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %" PRId64 "\nNeighs: %" PRId64 "\n", p->n, number[0],
+	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %" PRId64 "\nNeighs: %" PRId64 "\n", n, number[0],
 	       number[1]);
 	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n", sim->neigh->builds);
-	print_ranks(sim, steps);
+	print_ranks(sim, steps, n);
 	if (p->lost)
 		ts_log(&sim->log, "Particles lost through fixed faces so far: %" PRId64 "\n", p->lost);
 }
@@ -108,7 +108,7 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 	else
 		ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n",
 		       ts_clock() - sim->clock.wall_start, sim->threads * ts_ranks(sim), steps,
-		       sim->particles->n);
+		       (size_t)ts_division_sum(sim, (int64_t)sim->particles->n));
 	return TS_OK;
 }
 
@@ -117,9 +117,11 @@ static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run
 	struct ts_plan plan = { 0 };
 	enum ts_status status;
 
+	if (!ts_ranks_rowless(sim))
+		TS_TRY(ts_ranks_look(sim));
 	ts_ranks_end_pause(sim);
 	status = run_plan(&plan, sim, steps, r);
-	if (status == TS_OK && sim->run.looks)
+	if (status == TS_OK && (sim->run.looks || sim->division))
 		status = ts_ranks_pause(sim, &plan);
 	ts_plan_release(&plan);
 	return status;

@@ -36,6 +36,7 @@ const struct ts_command_style ts_command_timestep = {
 		       "of all styles; -explain prints them.",
 		.example = "timestep 1e-5",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

@@ -205,7 +205,7 @@ TS_STYLE(fix, ts_style, ts_fix_halt)
 const struct ts_style ts_fix_halt = {
 	.name = "halt",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = due,
 	.summary = "Ends a run early when a condition is met",
 	.doc = "Compares the attribute with the limit at the end of each step that is a multiple of N. If "

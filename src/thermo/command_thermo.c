@@ -44,6 +44,7 @@ const struct ts_command_style ts_command_thermo = {
 		       "value is the step of the next row. See also thermo_style, thermo_modify.",
 		.example = "thermo 1000\nthermo v_next",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

@@ -90,6 +90,7 @@ const struct ts_command_style ts_command_thermo_modify = {
 		.example = "thermo_modify lost warn norm no\n"
 			   "thermo_modify format float %20.15g format 3 %10.4f",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

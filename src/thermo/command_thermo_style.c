@@ -1,6 +1,9 @@
 /* Command thermo_style: columns of thermo output. */
 #include "core/sim.h"
+#include "core/ranks_pause.h"
 #include "thermo/thermo.h"
+
+#include <string.h>
 
 #include "base/banned.h"
 
@@ -17,6 +20,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	struct ts_word word[4];
 
+	for (size_t k = 0; s->style == CUSTOM && k < s->columns.n; k++)
+		if (strchr(s->columns.word[k].text,
+			   '*')) /* an output is evaluated for the number of its columns */
+			TS_TRY(ts_ranks_unite(sim));
 	if (s->style == CUSTOM)
 		return ts_thermo_columns(sim, s->columns, false);
 	for (size_t k = 0; k < 4; k++)
@@ -56,6 +63,7 @@ const struct ts_command_style ts_command_thermo_style = {
 		       "others may be defined later, before the first run.",
 		.example = "thermo_style custom step time ke c_energy f_bit[1] v_depth",
 		.args = args,
+		.ranks = TS_RANKS_FORMULAS,
 		.state_size = sizeof(struct state),
 	},
 	.run = run,

@@ -268,7 +268,7 @@ TS_STYLE(fix, ts_style, ts_fix_print)
 const struct ts_style ts_fix_print = {
 	.name = "print",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = due,
 	.summary = "Prints a line of text every N steps",
 	.doc = "Prints the line at the end of each step that is a multiple of N; ${name} and $(formula) in "

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "core/ranks.h"
+#include "core/recorder.h"
 #include "core/report.h"
 #include "core/settings.h"
 #include "io/csv.h"
@@ -219,6 +221,7 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 {
 	double cpu = sim->clock.step > sim->clock.first_step ? ts_clock() - sim->clock.wall_start : 0;
 
+	TS_TRY(ts_ranks_tell(sim));
 	ts_str_clear(&t->line);
 	if (t->multi)
 		ts_str_addf(&t->line,
@@ -282,13 +285,39 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 	return TS_OK;
 }
 
+/* Whether the ranks can evaluate the column together while the particles are divided. */
+static bool is_sum(const struct tsim *sim, const struct ts_thermo_column *c)
+{
+	enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX };
+	const struct ts_keyword *keyword = ts_keyword_find(sim->tables, c->input.name);
+	struct ts_word word = { .text = c->input.name };
+
+	if (keyword)
+		return keyword->flags & (ALONE | TS_KEYWORD_SUM);
+	return !ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 });
+}
+
+/* Whether an outside program may read particles at a row. */
+static bool is_watched(const struct tsim *sim)
+{
+	return !sim->run.pauses || sim->row_listener.call ||
+	       (sim->recorder && sim->recorder->records(sim->recorder));
+}
+
+/* Whether a row may be due that needs all particles. */
 static bool may_be_due(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_thermo *t = self->state;
+	int64_t step = sim->clock.step;
 
-	if (sim->clock.step == sim->clock.last_step)
-		return true;
-	return t->variable ? sim->clock.step >= t->next : t->every && sim->clock.step % t->every == 0;
+	if (step != sim->clock.first_step && step != sim->clock.last_step &&
+	    !(t->variable ? step >= t->next : t->every && step % t->every == 0))
+		return false;
+	for (size_t k = 0; k < t->n; k++)
+		if (!is_sum(sim, &t->column[k]))
+			return true;
+	/* ranks get all of a fluid, too, when they get all particles */
+	return is_watched(sim) || t->variable || sim->instances[TS_KIND_FLOW].n > 0;
 }
 
 static void names(const struct ts_instance *self, void (*tell)(void *data, const char *text), void *data)
@@ -373,7 +402,7 @@ const struct ts_system_style ts_thermo_system = {
 			[TS_STAGE_FINISH] = finish,
 		},
 		.defers = TS_DEFERS(OUTPUT),
-		.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+		.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		.due = may_be_due,
 		.names = names,
 		.fini = fini,

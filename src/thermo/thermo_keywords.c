@@ -11,7 +11,10 @@
 #include "group/kinetic_energy.h"
 #include "group/temperature.h"
 #include "math/exactsum.h"
+#include "particle/division.h"
+#include "particle/group_moments.h"
 #include "particle/particles.h"
+#include "particle/rank_sums.h"
 
 #include "base/banned.h"
 
@@ -74,13 +77,19 @@ static enum ts_status timeremain(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
+/* Of all ranks while the particles are divided. */
+static double number_of_particles(const struct tsim *sim)
+{
+	return (double)ts_division_sum(sim, (int64_t)sim->particles->n);
+}
+
 /* Cundall number: particles * steps / wall time (1/s) of the run so far. */
 static enum ts_status cundall(struct tsim *sim, double *out)
 {
 	double steps = (double)(sim->clock.step - sim->clock.first_step);
 
 	TS_TRY(cpu(sim, out));
-	*out = *out > 0 ? (double)sim->particles->n * steps / *out : 0;
+	*out = *out > 0 ? number_of_particles(sim) * steps / *out : 0;
 	return TS_OK;
 }
 
@@ -96,15 +105,17 @@ static enum ts_status cpuremain(struct tsim *sim, double *out)
 
 static enum ts_status atoms(struct tsim *sim, double *out)
 {
-	*out = (double)sim->particles->n;
+	*out = number_of_particles(sim);
 	return TS_OK;
 }
 
 /* thermo_modify norm yes */
 static void divide_by_particles(const struct tsim *sim, double *out)
 {
-	if (sim->thermo->norm && sim->particles->n)
-		*out /= (double)sim->particles->n;
+	double n = sim->thermo->norm ? number_of_particles(sim) : 0;
+
+	if (n > 0)
+		*out /= n;
 }
 
 static enum ts_status ke(struct tsim *sim, double *out)
@@ -220,6 +231,7 @@ static enum ts_status fmax_now(struct tsim *sim, double *out)
 	for (size_t i = 0; i < p->n; i++)
 		for (int d = 0; d < 3; d++)
 			*out = fmax(*out, fabs(p->f[i][d]));
+	*out = ts_ranks_most(sim, *out);
 	return TS_OK;
 }
 
@@ -231,6 +243,7 @@ static enum ts_status fnorm(struct tsim *sim, double *out)
 	for (size_t i = 0; i < p->n; i++)
 		for (int d = 0; d < 3; d++)
 			ts_exactsum_add(&sum, p->f[i][d] * p->f[i][d]);
+	ts_rank_sums_merge(sim, &sum, 1);
 	*out = sqrt(ts_exactsum_value(&sum));
 	return TS_OK;
 }
@@ -258,7 +271,7 @@ static enum ts_status enthalpy(struct tsim *sim, double *out)
 
 static enum ts_status density(struct tsim *sim, double *out)
 {
-	double mass = ts_exactsum_of(sim->particles->mass, sim->particles->n, 1);
+	double mass = ts_group_mass(sim, 0);
 
 	TS_TRY(vol(sim, out));
 	*out = *out > 0 ? mass / *out : 0;
@@ -293,16 +306,16 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "part", "Part", "", "number of the partition: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
 	{ "time", "Time", "time", "simulated time", TS_KEYWORD_CLOCK, time_now },
 	{ "dt", "Dt", "time", "time step", TS_KEYWORD_CLOCK, dt },
-	{ "cpu", "CPU", "s", "wall time since the start of the run", 0, cpu },
-	{ "tpcpu", "T/CPU", "time/s", "simulated time per second of wall time since the previous row", 0, tpcpu },
-	{ "spcpu", "S/CPU", "1/s", "steps per second of wall time since the previous row", 0, spcpu },
-	{ "cpuremain", "CPULeft", "s", "estimated wall time of the rest of the run", 0, cpuremain },
-	{ "timeremain", "TimeoutLeft", "s", "wall time left before `timer timeout`; 0 without it", 0, timeremain },
+	{ "cpu", "CPU", "s", "wall time since the start of the run", TS_KEYWORD_SUM, cpu },
+	{ "tpcpu", "T/CPU", "time/s", "simulated time per second of wall time since the previous row", TS_KEYWORD_SUM, tpcpu },
+	{ "spcpu", "S/CPU", "1/s", "steps per second of wall time since the previous row", TS_KEYWORD_SUM, spcpu },
+	{ "cpuremain", "CPULeft", "s", "estimated wall time of the rest of the run", TS_KEYWORD_SUM, cpuremain },
+	{ "timeremain", "TimeoutLeft", "s", "wall time left before `timer timeout`; 0 without it", TS_KEYWORD_SUM, timeremain },
 	{ "cu", "Cu", "1/s", "Cundall number: particles times steps divided by the wall time of the run so "
-	  "far", 0, cundall },
-	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
-	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
-	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", 0, erotate },
+	  "far", TS_KEYWORD_SUM, cundall },
+	{ "atoms", "Atoms", "", "number of particles", TS_KEYWORD_INTEGER | TS_KEYWORD_SUM, atoms },
+	{ "ke", "KinEng", "energy", "kinetic energy of translation", TS_KEYWORD_SUM, ke },
+	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", TS_KEYWORD_SUM, erotate },
 	{ "pe", "PotEng", "energy", "potential energy, see compute pe", TS_KEYWORD_LISTS, pe },
 	{ "etotal", "TotEng", "energy", "pe + ke, without rotation", TS_KEYWORD_LISTS, etotal },
 	{ "epair", "E_pair", "energy", "elastic energy of contacts, see compute pe", TS_KEYWORD_LISTS, epair },
@@ -322,10 +335,10 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "dihedrals", "Diheds", "", "number of dihedrals: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
 	{ "impropers", "Impros", "", "number of impropers: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
 	{ "temp", "Temp", "temperature", "sum m v^2 / (D (N - 1) k)", 0, temp },
-	{ "fmax", "Fmax", "force", "largest component of a force on a particle", 0, fmax_now },
-	{ "fnorm", "Fnorm", "force", "Euclidean norm of the vector of all forces", 0, fnorm },
+	{ "fmax", "Fmax", "force", "largest component of a force on a particle", TS_KEYWORD_SUM, fmax_now },
+	{ "fnorm", "Fnorm", "force", "Euclidean norm of the vector of all forces", TS_KEYWORD_SUM, fnorm },
 	{ "vol", "Volume", "volume", "volume of the box", TS_KEYWORD_BOX, vol },
-	{ "density", "Density", "density", "mass of all particles divided by the volume of the box", 0, density },
+	{ "density", "Density", "density", "mass of all particles divided by the volume of the box", TS_KEYWORD_SUM, density },
 	{ "lx", "Lx", "length", "length of the box along x", TS_KEYWORD_BOX, lx },
 	{ "ly", "Ly", "length", "length of the box along y", TS_KEYWORD_BOX, ly },
 	{ "lz", "Lz", "length", "length of the box along z", TS_KEYWORD_BOX, lz },
@@ -335,17 +348,17 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "yhi", "Yhi", "length", "upper y of the box", TS_KEYWORD_BOX, yhi },
 	{ "zlo", "Zlo", "length", "lower z of the box", TS_KEYWORD_BOX, zlo },
 	{ "zhi", "Zhi", "length", "upper z of the box", TS_KEYWORD_BOX, zhi },
-	{ "xy", "Xy", "length", "displacement along x of the images across the y faces (fix deform xy)", 0, xy },
-	{ "xz", "Xz", "length", "displacement along x of the images across the z faces (fix deform xz)", 0, xz },
-	{ "yz", "Yz", "length", "displacement along y of the images across the z faces (fix deform yz)", 0, yz },
-	{ "xlat", "Xlat", "length", "lattice spacing", 0, xlat },
-	{ "ylat", "Ylat", "length", "lattice spacing", 0, ylat },
-	{ "zlat", "Zlat", "length", "lattice spacing", 0, zlat },
-	{ "cella", "Cella", "length", "length of the box along x", 0, lx },
-	{ "cellb", "Cellb", "length", "length of the box along y", 0, ly },
-	{ "cellc", "Cellc", "length", "length of the box along z", 0, lz },
-	{ "cellalpha", "CellAlpha", "degrees", "angle of the box: 90", 0, right_angle },
-	{ "cellbeta", "CellBeta", "degrees", "angle of the box: 90", 0, right_angle },
-	{ "cellgamma", "CellGamma", "degrees", "angle of the box: 90", 0, right_angle },
+	{ "xy", "Xy", "length", "displacement along x of the images across the y faces (fix deform xy)", TS_KEYWORD_SUM, xy },
+	{ "xz", "Xz", "length", "displacement along x of the images across the z faces (fix deform xz)", TS_KEYWORD_SUM, xz },
+	{ "yz", "Yz", "length", "displacement along y of the images across the z faces (fix deform yz)", TS_KEYWORD_SUM, yz },
+	{ "xlat", "Xlat", "length", "lattice spacing", TS_KEYWORD_SUM, xlat },
+	{ "ylat", "Ylat", "length", "lattice spacing", TS_KEYWORD_SUM, ylat },
+	{ "zlat", "Zlat", "length", "lattice spacing", TS_KEYWORD_SUM, zlat },
+	{ "cella", "Cella", "length", "length of the box along x", TS_KEYWORD_SUM, lx },
+	{ "cellb", "Cellb", "length", "length of the box along y", TS_KEYWORD_SUM, ly },
+	{ "cellc", "Cellc", "length", "length of the box along z", TS_KEYWORD_SUM, lz },
+	{ "cellalpha", "CellAlpha", "degrees", "angle of the box: 90", TS_KEYWORD_SUM, right_angle },
+	{ "cellbeta", "CellBeta", "degrees", "angle of the box: 90", TS_KEYWORD_SUM, right_angle },
+	{ "cellgamma", "CellGamma", "degrees", "angle of the box: 90", TS_KEYWORD_SUM, right_angle },
 	{ .name = NULL },
 };

@@ -1,0 +1,211 @@
+#!/bin/bash
+# Particles stay divided among ranks between runs, and when they are read from a restart file, until something needs all of them:
+# output and files are those of one rank, and a rank has the memory of its own particles.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_ranks.sh
+. "$top_srcdir/tests/lib_ranks.sh" || exit 99
+has_ranks || exit 77
+export OMP_NUM_THREADS=1
+
+# laws: what follows the particles
+laws() {
+	cat <<'E2'
+pair_style	gran/hertz/history 1000 NULL 50 NULL 0.5 1
+pair_coeff	* *
+neighbor	0.3 bin
+fix		move all nve/sphere
+fix		fall all gravity 0.5 vector 0 0 -1
+fix		floor all wall/gran hertz/history 1000 NULL 50 NULL 0.5 1 zplane 0 NULL
+timestep	0.005
+E2
+}
+{
+	cat <<'E2'
+units		lj
+atom_style	sphere
+boundary	p f f
+region		box block 0 ${n} 0 ${n} 0 $(2*v_n) units box
+create_box	1 box
+region		fill block 0 ${n} 0 ${n} 0 ${n} units box
+lattice		sc 1.0 origin 0.5 0.5 0.5
+create_atoms	1 region fill
+set		group all diameter 1.01 density 1
+velocity	all create 0.1 87287
+thermo_style	custom step atoms ke erotate fmax fnorm density
+thermo_modify	lost ignore
+E2
+	laws
+} >in.start
+
+# told FILE: what the program prints, without times and counts of ranks
+told() {
+	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first)|ns per particle|time \(%\)|^$' "$1"
+}
+
+# same_on NAME RANKS...: in.NAME tells and writes the same on each of these numbers of ranks as on one
+same_on() {
+	local name=$1 n
+	shift
+	"$TSIM" -in "in.$name" -log none -progress none -var n "${size:-8}" -var out one >one.out 2>&1
+	report "$name runs alone" $? one.out
+	told one.out >one.told
+	for n in "$@"; do
+		rm -f many.*
+		on_ranks "$n" "$TSIM" -in "in.$name" -log none -progress none -var n "${size:-8}" -var out many >many.out 2>&1 </dev/null
+		report "$name runs on $n ranks" $? many.out
+		told many.out >many.told
+		for file in told dump text; do
+			[ ! -f "one.$file" ] || same "$name: $file on $n ranks" "one.$file" "many.$file"
+		done
+	done
+	rm -f one.*
+}
+
+# gathered N...: how often all particles were gathered in each run
+gathered() {
+	grep -o 'all gathered [0-9]* times' many.out | awk '{ print $3 }' | tr '\n' ' ' >gathered
+	printf '%s ' "$@" | cmp - gathered
+	report "particles gathered in each run: $*" $? gathered
+}
+
+# The last line of all: a frame of the end.
+frame='dump end all custom 1 ${out}.dump id type x y z vx vy vz omegax omegay omegaz fx fy fz ix
+dump_modify end format float %.17g
+run 3'
+
+# Runs between which no line reads particles: sums of them, definitions, a smaller time step, another law of forces.
+{
+	cat in.start
+	cat <<'E2'
+thermo 20
+run 40
+variable i loop 2
+label again
+run 30
+print "$i $(step) $(atoms) $(ke)"
+next i
+jump SELF again
+timestep 0.004
+run 30
+fix drag all viscous 0.01
+run 30 every 10 "print '$(ke)'"
+unfix drag
+fix fall all gravity 0.7 vector 0 0.1 -1
+run 20 pre no
+thermo 0
+run 20
+E2
+	echo "$frame"
+} >in.rest
+same_on rest 2 3 4
+gathered 0 0 0 0 0 0 0 0 0 5
+
+# Lines that need all particles, before runs that go on with those of each rank.
+{
+	cat in.start
+	cat <<'E2'
+run 40
+print "$(mass(all)) $(bound(all,zmax)) $(x[17])"
+run 20
+print "$(vcm(all,z)) $(press)"
+run 20
+compute high all reduce max z
+run 20
+variable top equal c_high
+print "${top}"
+set type 1 density 1.1
+run 20
+write_restart ${out}.restart
+run 20
+print "$(pe)"
+E2
+	echo "$frame"
+} >in.asked
+same_on asked 2 3
+
+# Blocks become uneven: they are cut again in a rebuild, and nothing is gathered for it.
+{
+	cat in.start
+	echo 'processors 2 * *'
+	echo 'region left block INF $(v_n/2) INF INF INF INF units box'
+	echo 'group left region left'
+	echo 'velocity left set 4 0 0 units box sum yes'
+	echo 'fix push left addforce 2 0 0'
+	echo 'fix stop all wall/gran hertz/history 4000 NULL 50 NULL 0.5 1 xplane 0 ${n}'
+	echo 'run 400'
+	echo "$frame"
+} | sed 's/^boundary.*/boundary f p f/' >in.cut
+size=16 same_on cut 2 4
+sed -n 's/.*blocks, \([0-9]*\) to \([0-9]*\) particles.*/\1 \2/p' many.out | head -1 >uneven
+read -r least most <uneven && [ "$most" -le $((least * 13 / 10)) ]
+report 'blocks are cut again while the particles are divided' $? uneven
+grep -o 'all gathered [0-9]* times' many.out | head -1 >gathered
+grep -q ' 0 times' gathered
+report 'without all particles' $? gathered
+
+# A restart file: continued as it is, with other forces, and with lines that need all particles.
+{ cat in.start; echo 'run 150'; echo 'write_restart start.restart'; } >in.file
+"$TSIM" -in in.file -log none -screen none -var n 8 >out 2>&1
+report 'a restart file is written' $? out
+reading() {
+	printf 'units lj\natom_style sphere\nboundary p f f\nread_restart start.restart\n'
+	printf '%s\n' "$@"
+	laws
+	echo 'thermo_style custom step atoms ke erotate fmax'
+	echo 'thermo 30'
+	echo 'run 90'
+}
+{ reading; echo "$frame"; } >in.continued
+same_on continued 2 3 4
+gathered 0 5
+{ reading; echo "$frame"; } | sed 's/timestep.*/timestep 0.004/' >in.slower
+same_on slower 2 3
+gathered 0 5
+{ reading 'print "$(atoms) $(ke)"'; echo "$frame"; } >in.sums
+same_on sums 2
+gathered 0 5
+{ reading 'print "$(xcm(all,z)) $(mass(all)) $(vx[100])"'; echo "$frame"; } >in.look
+same_on look 2 3
+{ reading 'thermo_modify lost warn' 'set type 1 density 1.2' 'write_data ${out}.text'; echo "$frame"; } >in.set
+same_on set 2 3
+{ reading 'group some id 1:100' 'delete_atoms group some'; echo "$frame"; } >in.deleted
+same_on deleted 3
+{ reading; echo "$frame"; echo 'write_restart ${out}.restart'; } >in.written
+same_on written 2
+cmp start.restart many.restart >cmp.out 2>&1
+[ $? -eq 1 ]
+report 'a restart file of the continued run' $? cmp.out
+
+# The fingerprint of particles does not depend on ranks: what two ranks have written one continues, and the other way round.
+{ cat in.start; echo 'run 150'; echo 'write_restart two.restart'; } >in.file
+on_ranks 2 "$TSIM" -in in.file -log none -screen none -var n 8 >out 2>&1 </dev/null
+report 'two ranks write a restart file' $? out
+{ reading; echo "$frame"; } | sed 's/start.restart/two.restart/' >in.two
+same_on two 3
+gathered 0 5
+
+# most FILE RANKS N: the largest memory of a rank, in kB
+most() {
+	on_ranks "$2" /usr/bin/time -f %M -a -o kilobytes "$TSIM" -in "$1" -log none -screen none -var n "$3" >out 2>&1 </dev/null
+	sort -n kilobytes | tail -1
+	rm -f kilobytes
+}
+
+# most_bytes RANKS LIMIT: bytes of a particle in a rank that reads a restart file and does a step
+most_bytes() {
+	{ most in.step20 "$1" 20; most in.step60 "$1" 60; } >measured
+	awk -v limit="$2" 'NR == 1 { m = $1 } END { m = ($1 - m) * 1024 / (60^3 - 20^3); print m; exit !(m > 50 && m < limit) }' measured >compared
+	report "bytes of a particle on $1 ranks" $? compared
+	cat compared
+}
+[ -x /usr/bin/time ] || { finish; exit; }
+nm "$TSIM" 2>/dev/null | grep -q __asan_init && { finish; exit; }
+for n in 20 60; do
+	{ cat in.start; echo 'run 1'; echo "write_restart step$n.restart"; } >in.file
+	"$TSIM" -in in.file -log none -screen none -var n $n >out 2>&1
+	{ reading; } | sed "s/start.restart/step$n.restart/; s/^run .*/run 1/" >in.step$n
+done
+most_bytes 2 540
+most_bytes 4 320
+finish
