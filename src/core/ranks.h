@@ -1,8 +1,9 @@
 /* What styles do with several ranks, and what all ranks agree on. doc/ranks.md.
  *
- * Outside of steps, and in the stages END_OF_STEP and OUTPUT of steps in which one of their hooks needs it, each
- * rank has the whole simulation, and all execute the same commands and functions. In the other stages the particles
- * are divided: each rank has those of its block of space and copies of those near it. */
+ * Outside of runs, unless a pause leaves the particles divided (core/ranks_pause.h), and in the stages END_OF_STEP and OUTPUT
+ * of steps in which one of their hooks needs it, each rank has the whole simulation, and all execute the same commands and
+ * functions. In the other stages the particles are divided: each rank has those of its block of space and copies of those
+ * near it. */
 #ifndef TS_CORE_RANKS_H
 #define TS_CORE_RANKS_H
 
