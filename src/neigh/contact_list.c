@@ -168,22 +168,16 @@ static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list
 	return TS_OK;
 }
 
-/* What belongs to the pairs of the old list: the next choice of active pairs allocates it anew. */
+/* What belongs to the pairs of the old list. Rows of sums, of a fixed size per particle, take most memory while the search
+ * needs it, and are given back; the rest is kept, as to map its memory anew for each list takes longer than to fill it. */
 static void forget_active_pairs(struct ts_contact_list *list)
 {
 	list->active_chosen = false;
-#define FORGET(array)                       \
-	do {                                \
-		ts_free(list->array);       \
-		list->array = NULL;         \
-		list->array##_capacity = 0; \
-	} while (0)
-	FORGET(active);
-	FORGET(memory);
-	FORGET(sum);
+	ts_free(list->sum);
+	list->sum = NULL;
+	list->sum_capacity = 0;
 	ts_free(list->spare);
 	list->spare = NULL;
-#undef FORGET
 }
 
 static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list *list,

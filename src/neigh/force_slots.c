@@ -213,7 +213,11 @@ static void write_slots_share(void *context, size_t from, size_t to)
 
 void ts_force_slots_forget(struct ts_contact_list *list)
 {
+	bool kept = list->results == TS_RESULTS_KEPT;
+
 	list->results = TS_RESULTS_NONE;
+	if (!kept)
+		return;
 	ts_free(list->result);
 	list->result = NULL;
 	list->result_capacity = 0;

@@ -17,7 +17,8 @@ enum { TS_BLOCKS_PER_SUM = 8 };
 /* Chooses the active pairs again if they are outdated, loads their history and assigns their slots. `kept`:
  * all results are to be kept. */
 enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *list, bool kept);
-/* Frees the results: where all are kept they take a fifth of the memory, and what follows needs room. */
+/* Forgets the results. Where all are kept they take a fifth of the memory, and what follows needs room: they are freed;
+ * those that are passed on are few, and their memory serves the next list. */
 void ts_force_slots_forget(struct ts_contact_list *list);
 /* Makes the results of all pairs readable by outputs, all zero, before any force has been computed. */
 enum ts_status ts_force_slots_keep_all(struct tsim *sim, struct ts_contact_list *list);

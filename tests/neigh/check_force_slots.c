@@ -255,6 +255,29 @@ START_TEST(kept_slots)
 }
 END_TEST
 
+/* The next list has the memory of results that were passed on, and of its active pairs; that of kept results is given back. */
+START_TEST(memory_serves_again)
+{
+	struct tsim *sim = shake("p p p", 1 + _i, "run 30");
+	struct ts_contact_list *rows = &sim->neigh->contacts;
+	const void *results, *active;
+
+	ck_assert_int_eq(ts_force_slots_prepare(sim, rows, false), TS_OK);
+	results = rows->result;
+	active = rows->active;
+	ck_assert_ptr_nonnull(results);
+	ck_assert_int_eq(ts_contact_list_build(sim, rows, rows->skin, NULL), TS_OK);
+	ck_assert_int_eq(rows->results, TS_RESULTS_NONE);
+	ck_assert_ptr_eq(rows->result, results);
+	ck_assert_ptr_eq(rows->active, active);
+	ck_assert(!rows->active_chosen);
+	ck_assert_int_eq(ts_force_slots_prepare(sim, rows, true), TS_OK);
+	ts_force_slots_forget(rows);
+	ck_assert_ptr_null(rows->result);
+	tsim_close(sim);
+}
+END_TEST
+
 static int stop(struct tsim *sim, void *data)
 {
 	(void)data;
@@ -288,6 +311,7 @@ int main(void)
 	tcase_add_loop_test(tests, none_missed, 0, 2);
 	tcase_add_loop_test(tests, same_bits, 0, 2);
 	tcase_add_loop_test(tests, kept_slots, 0, 3);
+	tcase_add_loop_test(tests, memory_serves_again, 0, 2);
 	tcase_add_test(tests, looked_at);
 	tcase_add_test(tests, stopped);
 	suite_add_tcase(suite, tests);
