@@ -494,11 +494,14 @@ static void release_all(void *reader)
 static enum ts_status stay_divided(struct ts_sections *r)
 {
 	struct ts_plan none = { 0 };
+	enum ts_status status = ts_ranks_pause(r->sim, &none);
 
 	give_up_dividing(r);
-	TS_TRY(ts_ranks_pause(r->sim, &none));
-	ts_division_start(r->sim, &(struct ts_reread){ restore_whole, release_all, r });
-	return TS_OK;
+	if (status == TS_OK)
+		ts_division_start(r->sim, &(struct ts_reread){ restore_whole, release_all, r });
+	else
+		release_all(r);
+	return status;
 }
 
 static struct ts_sections *new_reader(struct tsim *sim, const char *path, const struct ts_place *where)
@@ -509,8 +512,8 @@ static struct ts_sections *new_reader(struct tsim *sim, const char *path, const 
 		return NULL;
 	r->sim = sim;
 	r->path = ts_arena_strdup(&r->arena, path);
-	r->place = *where;
-	r->where = &r->place;
+	r->place = where ? *where : (struct ts_place){ 0 };
+	r->where = where ? &r->place : NULL;
 	if (r->path)
 		return r;
 	release_all(r);
