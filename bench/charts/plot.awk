@@ -70,12 +70,31 @@ END {
 	for (p = 1; p <= panels; p++) panel_of(p)
 	print "unset multiplot\nunset output"
 }
+# the corner of the panel in which the legend covers no points; the upper right one, above all points, if there is none
+function corner(p,	name, k, i, u, v, a, b, covered, tall) {
+	split("top right,top left,bottom right,bottom left", name, ",")
+	a = below(xlo[p] * 0.95); b = above(xhi[p] * 1.1)
+	tall = 0.06 * (lines + 1)
+	for (k = 1; k <= 4; k++) {
+		covered = 0
+		for (i = 1; i <= n; i++) {
+			if (at[i] != p) continue
+			u = log(x[i] / a) / log(b / a); v = log(shown(i) / low) / log(high / low)
+			if (name[k] ~ /right/) u = 1 - u
+			if (name[k] ~ /top/) v = 1 - v
+			covered += u < 0.5 && v < tall
+		}
+		if (!covered) return name[k]
+	}
+	printf "set yrange [%g:%g]\n", low, high * (high / low)^(tall / (1 - tall))
+	return name[1]
+}
 function panel_of(p,	i, m, text, any, look, bottom) {
 	axis_of(p)
 	printf "set title \"%s\" noenhanced\n", heading[p]
 	if ((p - 1) % columns == 0) printf "set ylabel \"%s\"\n", ylabel
 	else print "unset ylabel"
-	print "set key " (p == 1 ? "top right samplen 2 spacing 1.1 noenhanced opaque" : "off")
+	print "set key " (p == 1 ? corner(p) " samplen 2 spacing 1.1 noenhanced opaque" : "off")
 	text = ""
 	if (column == "seconds") {
 		printf "$front%d << END\n", p
