@@ -269,6 +269,7 @@ unit_tests = \
 	tests/average/check_block_error \
 	tests/base/check_crc32 \
 	tests/base/check_files \
+	tests/base/check_hash \
 	tests/base/check_str \
 	tests/bed/check_nearest \
 	tests/bond/check_bonds \
@@ -426,6 +427,10 @@ tests_base_check_crc32_LDADD = $(tests_ldadd)
 tests_base_check_files_SOURCES = tests/base/check_files.c
 tests_base_check_files_CFLAGS = $(tests_cflags)
 tests_base_check_files_LDADD = $(tests_ldadd)
+
+tests_base_check_hash_SOURCES = tests/base/check_hash.c
+tests_base_check_hash_CFLAGS = $(tests_cflags)
+tests_base_check_hash_LDADD = $(tests_ldadd)
 
 tests_base_check_str_SOURCES = tests/base/check_str.c
 tests_base_check_str_CFLAGS = $(tests_cflags)

@@ -39,3 +39,28 @@ uint64_t ts_hash_value(const struct ts_hash *hash)
 {
 	return mix(hash->state, 0x452821e638d01377u);
 }
+
+uint64_t ts_hash_rows(const struct ts_hash *hash, const int32_t *key, const void *rows, size_t bytes,
+		      size_t n)
+{
+	const size_t words = bytes / sizeof(uint64_t), rest = bytes % sizeof(uint64_t);
+	const unsigned char *p = rows;
+	uint64_t sum = 0;
+
+	for (size_t i = 0; i < n; i++) {
+		uint64_t word = (uint64_t)(uint32_t)key[i], state = hash->state + word * 0x9e3779b97f4a7c15u;
+
+		for (size_t k = 0; k < words; k++, p += sizeof word) {
+			memcpy(&word, p, sizeof word);
+			state = mix(state, word);
+		}
+		if (rest) {
+			word = 0;
+			memcpy(&word, p, rest);
+			state = mix(state, word);
+			p += rest;
+		}
+		sum += state;
+	}
+	return sum;
+}

@@ -214,19 +214,10 @@ static void hash_column(const struct ts_particles *p, size_t k, size_t n, struct
 static uint64_t sum_column(const struct ts_particles *p, size_t k, size_t n)
 {
 	const struct ts_column *c = &p->column[k];
-	const size_t bytes = c->width * c->element;
 	struct ts_hash seed = ts_hash_start();
-	uint64_t sum = 0;
 
 	ts_hash_text(&seed, c->name);
-	for (size_t i = 0; i < n; i++) {
-		struct ts_hash row = seed;
-
-		ts_hash_add(&row, &p->tag[i], sizeof p->tag[i]);
-		ts_hash_add(&row, (const char *)c->data + i * bytes, bytes);
-		sum += ts_hash_value(&row);
-	}
-	return sum;
+	return ts_hash_rows(&seed, p->tag, c->data, c->width * c->element, n);
 }
 
 /* Of restart files of older versions: by the order of the rows. Columns of styles are added in the order in which these are
