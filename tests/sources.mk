@@ -349,6 +349,7 @@ unit_tests = \
 	tests/rank/check_loads \
 	tests/render/check_render \
 	tests/report/check_rows \
+	tests/restart/check_sieve \
 	tests/rigid/check_rigid \
 	tests/rough/check_rough \
 	tests/script/check_script \
@@ -747,6 +748,10 @@ tests_render_check_render_LDADD = $(tests_ldadd)
 tests_report_check_rows_SOURCES = tests/report/check_rows.c
 tests_report_check_rows_CFLAGS = $(tests_cflags)
 tests_report_check_rows_LDADD = $(tests_ldadd)
+
+tests_restart_check_sieve_SOURCES = tests/restart/check_sieve.c
+tests_restart_check_sieve_CFLAGS = $(tests_cflags)
+tests_restart_check_sieve_LDADD = $(tests_ldadd)
 
 tests_rigid_check_rigid_SOURCES = tests/rigid/check_rigid.c
 tests_rigid_check_rigid_CFLAGS = $(tests_cflags)

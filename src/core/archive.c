@@ -12,8 +12,6 @@
 
 #include "base/banned.h"
 
-enum { MAGIC = TS_ARCHIVE_MAGIC, FIELD_HEAD = TS_ARCHIVE_HEAD, LONGEST_NAME = TS_ARCHIVE_LONGEST_NAME };
-
 struct field {
 	size_t name, data; /* offsets into the block */
 	enum ts_saved_type type;
@@ -179,7 +177,7 @@ enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instanc
 
 struct ts_archive *ts_archive_new(struct tsim *sim, bool writing)
 {
-	const uint32_t magic = MAGIC;
+	const uint32_t magic = TS_ARCHIVE_MAGIC;
 	struct ts_archive *a = ts_alloc(1, sizeof *a);
 
 	if (!a)
@@ -223,13 +221,13 @@ static bool parse_field(const unsigned char *block, size_t *at, size_t end, stru
 	uint64_t count;
 	size_t size;
 
-	if (end - *at < FIELD_HEAD)
+	if (end - *at < TS_ARCHIVE_HEAD)
 		return false;
 	memcpy(head, block + *at, sizeof head);
 	memcpy(&count, block + *at + sizeof head, sizeof count);
-	*at += FIELD_HEAD;
+	*at += TS_ARCHIVE_HEAD;
 	size = ts_archive_element(head[1]);
-	if (!size || !head[0] || head[0] > LONGEST_NAME || head[0] > end - *at ||
+	if (!size || !head[0] || head[0] > TS_ARCHIVE_LONGEST_NAME || head[0] > end - *at ||
 	    memchr(block + *at, 0, head[0]) != block + *at + head[0] - 1)
 		return false;
 	field->name = *at;
@@ -261,7 +259,7 @@ enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *
 	end = n - sizeof sum;
 	memcpy(&magic, bytes, sizeof magic);
 	memcpy(&sum, bytes + end, sizeof sum);
-	if (magic != MAGIC)
+	if (magic != TS_ARCHIVE_MAGIC)
 		return fail_damaged(archive, "it does not begin as it should");
 	if (sum != ts_crc32(0, bytes, end))
 		return fail_damaged(archive, "the checksum is wrong");

@@ -399,6 +399,8 @@ static enum ts_status begin_dividing(struct ts_sections *r, const struct ts_sect
 	r->sieve->sim = sim;
 	taker = ts_sieve_places(r->sieve);
 	status = ts_sections_expand(r, particles, &taker);
+	if (status == TS_OK && !ts_sieve_has_places(r->sieve))
+		status = TS_DAMAGED;
 	if (status == TS_OK)
 		status = check_others(r, &can);
 	if (status == TS_DAMAGED && sim->error.status == TS_OK) { /* whoever restores all says why */

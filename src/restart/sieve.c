@@ -86,27 +86,19 @@ static bool is_own(const struct ts_sieve *s, const double x[3])
 	return ts_division_owns(s->sim, x);
 }
 
-/* Where a particle will be when it has been wrapped into the box. */
-static void wrap(const struct ts_box *box, const double x[3], double out[3])
-{
-	for (int d = 0; d < 3; d++) {
-		out[d] = x[d];
-		if (ts_box_periodic(box, d) && x[d] < box->lo[d])
-			out[d] += ts_box_length(box, d);
-		else if (ts_box_periodic(box, d) && x[d] >= box->hi[d])
-			out[d] -= ts_box_length(box, d);
-	}
-}
-
 /* All places are known: cuts the box, and notes the particles of this rank by their present places. */
 static enum ts_status end_places(struct ts_sieve *s)
 {
+	const struct ts_box *box = &s->sim->domain->box;
+
 	TS_TRY(ts_division_begin(s->sim, s->x, s->n));
 	for (size_t i = 0; i < s->n; i++) {
-		double wrapped[3];
+		const bool own = is_own(s, s->x[i]);
 
-		wrap(&s->sim->domain->box, s->x[i], wrapped);
-		if (is_own(s, s->x[i]) || is_own(s, wrapped))
+		for (int d = 0; d < 3; d++) /* it will be wrapped when the run begins */
+			if (ts_box_periodic(box, d))
+				ts_box_wrap(box, d, &s->x[i][d], &(int32_t){ 0 });
+		if (own || is_own(s, s->x[i]))
 			TS_TRY(add_near(s, s->tag[i]));
 	}
 	ts_free(s->x);
@@ -130,27 +122,40 @@ static enum ts_status take_place(struct ts_sieve *s, const unsigned char *row)
 	return s->keep[s->row] ? add_near(s, s->tag[s->row]) : TS_OK;
 }
 
+static bool has(const struct ts_sieve *s, int field)
+{
+	return s->seen >> field & 1;
+}
+
 static enum ts_status begin_place(void *data, const char *name, const struct ts_archive_head *head)
 {
 	static const struct {
 		const char *name;
-		int field;
+		int field, after; /* the field that must have come */
+		uint32_t type;
 		size_t numbers;
-	} wanted[] = { { "n", NUMBER, 0 }, { "tag", TAG, 1 }, { "x", PLACE, 3 }, { "xhold", HELD, 3 } };
+	} wanted[] = { { "n", NUMBER, OTHER, TS_SAVED_I64, 1 },
+		       { "tag", TAG, NUMBER, TS_SAVED_I32, 1 },
+		       { "x", PLACE, TAG, TS_SAVED_F64, 3 },
+		       { "xhold", HELD, PLACE, TS_SAVED_F64, 3 } };
 	struct ts_sieve *s = data;
 
 	s->field = OTHER;
 	for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
 		if (strcmp(name, wanted[k].name) != 0)
 			continue;
-		if (k && (!s->keep || head->count != wanted[k].numbers * s->n))
+		if (has(s, wanted[k].field) || (wanted[k].after != OTHER && !has(s, wanted[k].after)) ||
+		    head->type != wanted[k].type || head->count != wanted[k].numbers * (k ? s->n : 1))
 			return TS_DAMAGED;
-		if (wanted[k].field == HELD && (s->x || !s->tag))
-			return TS_DAMAGED; /* not behind places */
-		TS_TRY(begin_rows(s, wanted[k].field,
-				  k ? wanted[k].numbers * ts_archive_element(head->type) : sizeof(int64_t)));
+		s->seen |= 1u << wanted[k].field;
+		TS_TRY(begin_rows(s, wanted[k].field, wanted[k].numbers * ts_archive_element(head->type)));
 	}
 	return TS_OK;
+}
+
+bool ts_sieve_has_places(const struct ts_sieve *s)
+{
+	return has(s, HELD);
 }
 
 static enum ts_status take_number(struct ts_sieve *s, const unsigned char *row)
@@ -158,7 +163,7 @@ static enum ts_status take_number(struct ts_sieve *s, const unsigned char *row)
 	int64_t n;
 
 	memcpy(&n, row, sizeof n);
-	if (n < 1 || n > INT32_MAX || s->keep)
+	if (n < 1 || n > INT32_MAX)
 		return TS_DAMAGED;
 	s->n = (size_t)n;
 	s->keep = ts_alloc(s->n, 1);
@@ -305,10 +310,12 @@ static size_t numbers_of_contact(const struct ts_sieve *s, const char *name,
 				 const struct ts_archive_head *head)
 {
 	static const char *const names[] = { "history_keys", "history", "forces" };
+	static const uint32_t types[] = { TS_SAVED_I32, TS_SAVED_F64, TS_SAVED_F64 };
 	const size_t numbers[] = { KEY_NUMBERS, s->history, 3 };
 
 	for (size_t k = 0; k < 3; k++)
-		if (strcmp(name, names[k]) == 0 && s->contacts && head->count == numbers[k] * s->contacts)
+		if (strcmp(name, names[k]) == 0 && head->type == types[k] && s->contacts &&
+		    head->count == numbers[k] * s->contacts)
 			return numbers[k];
 	return 0;
 }

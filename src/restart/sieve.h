@@ -8,7 +8,6 @@
 
 struct ts_sieve {
 	struct tsim *sim;
-	enum ts_status status; /* of the last error, TS_DAMAGED without a message */
 	/* particles */
 	size_t n, kept;	     /* in the file, of this rank */
 	unsigned char *keep; /* [n] */
@@ -17,8 +16,9 @@ struct ts_sieve {
 	unsigned char *near; /* by identity: bits of particles that are, or may soon be, of this rank */
 	size_t near_bytes;
 
-	/* the field that is read */
+	/* the field that is read; bits of those of places that have come */
 	int field;
+	unsigned seen;
 	size_t row, width, have;  /* number of its row; bytes of a row; of the present one that have come */
 	unsigned char part[8192]; /* of a row */
 
@@ -37,6 +37,8 @@ struct ts_sieve {
 
 /* Takes the section of the particles: chooses the blocks of the ranks, and the particles of this one. */
 struct ts_archive_taker ts_sieve_places(struct ts_sieve *sieve);
+/* Whether all that is needed has come; else the section is not one of particles. */
+bool ts_sieve_has_places(const struct ts_sieve *sieve);
 /* Take the sections again, or those of contacts, and make shorter ones. */
 struct ts_archive_taker ts_sieve_particles(struct ts_sieve *sieve);
 struct ts_archive_taker ts_sieve_contacts(struct ts_sieve *sieve);
