@@ -811,6 +811,7 @@ library_sources = \
 	src/insert/nozzle.h \
 	src/insert/sites.c \
 	src/insert/sites.h \
+	src/insert/sites_divided.c \
 	src/insert/stream.c \
 	src/insert/stream.h \
 	src/insert/template.c \
@@ -1149,6 +1150,9 @@ library_sources = \
 	src/particle/crowd.h \
 	src/particle/division.c \
 	src/particle/division.h \
+	src/particle/division_blocks.c \
+	src/particle/division_blocks.h \
+	src/particle/division_make.c \
 	src/particle/draw.c \
 	src/particle/draw.h \
 	src/particle/exchange.c \

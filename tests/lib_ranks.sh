@@ -30,3 +30,55 @@ has_ranks() {
 		return 1
 	fi
 }
+
+# told FILE: what the program prints, without times and counts of ranks
+told() {
+	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first)|ns per particle|time \(%\)|^$' "$1"
+}
+
+# same_on NAME RANKS...: in.NAME, whose variable n is $size and whose files begin with ${out}, tells and writes the same on each of
+# these numbers of ranks as on one
+same_on() {
+	local name=$1 n
+	shift
+	"$TSIM" -in "in.$name" -log none -progress none -var n "${size:-8}" -var out one >one.out 2>&1
+	report "$name runs alone" $? one.out
+	told one.out >one.told
+	for n in "$@"; do
+		rm -f many.*
+		on_ranks "$n" "$TSIM" -in "in.$name" -log none -progress none -var n "${size:-8}" -var out many >many.out 2>&1 </dev/null
+		report "$name runs on $n ranks" $? many.out
+		told many.out >many.told
+		for file in told dump text; do
+			[ ! -f "one.$file" ] || same "$name: $file on $n ranks" "one.$file" "many.$file"
+		done
+	done
+	rm -f one.*
+}
+
+# gathered N...: how often all particles were gathered in each run of the last one of same_on
+gathered() {
+	grep -o 'all gathered [0-9]* times' many.out | awk '{ print $3 }' | tr '\n' ' ' >gathered
+	printf '%s ' "$@" | cmp - gathered
+	report "particles gathered in each run: $*" $? gathered
+}
+
+# Whether the memory of a process can be measured
+measures_memory() {
+	[ -x /usr/bin/time ] && ! nm "$TSIM" 2>/dev/null | grep -q __asan_init
+}
+
+# most FILE RANKS N: the largest memory of a rank, in kB
+most() {
+	on_ranks "$2" /usr/bin/time -f %M -a -o kilobytes "$TSIM" -in "$1" -log none -screen none -var n "$3" >out 2>&1 </dev/null
+	sort -n kilobytes | tail -1
+	rm -f kilobytes
+}
+
+# most_bytes RANKS LIMIT SMALL LARGE: bytes of a particle in a rank that has the most, of scenes of 20^3 and 60^3 particles
+most_bytes() {
+	{ most "$3" "$1" 20; most "$4" "$1" 60; } >measured
+	awk -v limit="$2" 'NR == 1 { m = $1 } END { m = ($1 - m) * 1024 / (60^3 - 20^3); print m; exit !(m > 50 && m < limit) }' measured >compared
+	report "bytes of a particle on $1 ranks" $? compared
+	cat compared
+}

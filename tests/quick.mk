@@ -13,6 +13,7 @@
 #      20    rank/pause.sh                  rank/contract.sh
 #       8    rank/memory.sh                 rank/contract.sh
 #      25    rank/apart.sh                  rank/contract.sh
+#       8    rank/create.sh                 rank/contract.sh
 #       6    rank/timer.sh                  rank/contract.sh
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
@@ -85,6 +86,7 @@ slow_tests = \
 	tests/library/wheel.sh \
 	tests/bench/race.sh \
 	tests/rank/apart.sh \
+	tests/rank/create.sh \
 	tests/rank/balance.sh \
 	tests/rank/contract_ranks.sh \
 	tests/rank/memory.sh \

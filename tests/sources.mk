@@ -204,6 +204,7 @@ shell_tests = \
 	tests/rank/balance.sh \
 	tests/rank/contract.sh \
 	tests/rank/contract_ranks.sh \
+	tests/rank/create.sh \
 	tests/rank/memory.sh \
 	tests/rank/pause.sh \
 	tests/rank/plan.sh \

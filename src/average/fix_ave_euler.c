@@ -304,7 +304,7 @@ static const struct ts_arg args[] = {
 	TS_REAL("cell_size_relative", struct state, relative, .flags = TS_STATEFUL, .range = TS_POSITIVE,
 		.unit = "", .help = "smallest edge of a cell, in diameters of the largest particle"),
 	TS_BOOL("parallel", struct state, parallel, .fallback = "no",
-		.help = "no effect: there is one process, and one grid that fills the box"),
+		.help = "no effect: there is one grid, which fills the box, on any number of ranks"),
 	TS_REGION("basevolume_region", struct state, region, .flags = TS_OPTIONAL | TS_STATEFUL,
 		  .help = "only the part of a cell inside the region is its volume, but at least 0.02 of the "
 			  "cell"),

@@ -19,6 +19,7 @@ const struct ts_command_style ts_command_comm_style = {
 	.style = {
 		.name = "comm_style",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Accepted for compatibility; has no effect",
 		.doc = "In LAMMPS this command sets how the box is divided among processes. tsim distributes "
 		       "particles over threads, independent of their positions.",

@@ -24,6 +24,7 @@ const struct ts_command_style ts_command_communicate = {
 	.style = {
 		.name = "communicate",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Accepted for compatibility; has no effect",
 		.doc = "In LAMMPS this command controls how processes exchange ghost particles. tsim has one "
 		       "process; its ghosts are periodic images, which always carry velocities and reach as "

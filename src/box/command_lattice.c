@@ -217,6 +217,7 @@ const struct ts_command_style ts_command_lattice = {
 	.style = {
 		.name = "lattice",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "defines a lattice",
 		.doc = "create_atoms box and create_atoms region place particles on the lattice points\n\n"
 		       "  x = R c (n1 a1 + n2 a2 + n3 a3 + basis) + origin\n\n"

@@ -27,6 +27,7 @@ const struct ts_command_style ts_command_newton = {
 	.style = {
 		.name = "newton",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Accepted for compatibility; has no effect on results",
 		.doc = "In LAMMPS this command sets whether forces between processes are computed once or "
 		       "twice. tsim computes each force once, and results do not depend on this command. As "

@@ -34,6 +34,7 @@ TS_STYLE(command, ts_command_style, ts_command_package)
 const struct ts_command_style ts_command_package = {
 	.style = { .name = "package",
 		   .kind = TS_KIND_COMMAND,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .summary = "sets the number of threads",
 		   .doc = "The same as -threads on the command line. Results are bitwise identical for any "
 			  "number of threads and any grain. Loops with fewer than `grain` iterations per "

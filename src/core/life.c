@@ -324,9 +324,19 @@ static enum ts_status execute_command(struct tsim *sim, const struct ts_command_
 	if (command->needs_box)
 		ts_settings_log(sim, command->style.name, command->style.args, state,
 				ts_words_from(words, 1));
+	sim->run.rowwise = command->style.ranks & TS_RANKS_ROWS && sim->run.made;
 	status = command->run(sim, state, &words.word[0].place);
+	sim->run.rowwise = false;
 	sim->line = outer;
 	return status;
+}
+
+/* Whether several ranks execute the command as they are, although each may have its own particles only. */
+static bool can_be_apart(const struct tsim *sim, const struct ts_style *style, struct ts_words words)
+{
+	if (style->ranks & TS_RANKS_FORMULAS)
+		return true;
+	return style->ranks & TS_RANKS_ROWS && sim->run.made && !ts_ranks_find_shared(sim, words);
 }
 
 enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
@@ -346,7 +356,7 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 		return ts_fail(&sim->error, TS_STATE, &where,
 			       "'%s' needs a simulation box: use create_box or read_restart first",
 			       style->name);
-	if (!(style->ranks & TS_RANKS_FORMULAS))
+	if (!can_be_apart(sim, style, words))
 		TS_TRY(ts_ranks_unite(sim));
 	state = ts_alloc_aligned(1, style->state_size ? style->state_size : 1);
 	if (!state)

@@ -72,6 +72,11 @@ static enum ts_status get_all_once(struct tsim *sim, bool lists)
 
 enum ts_status ts_ranks_look(struct tsim *sim)
 {
+	if (sim->run.rowwise) /* the command has counted the particles of this rank */
+		return ts_fail(&sim->error, TS_STATE, NULL,
+			       "a value that depends on all particles is needed while a command acts on "
+			       "those "
+			       "of each rank");
 	return sim->run.paused && sim->division ? get_all_once(sim, false) : TS_OK;
 }
 
@@ -91,6 +96,7 @@ enum ts_status ts_ranks_unite(struct tsim *sim)
 {
 	enum ts_status status;
 
+	sim->run.rowwise = false;
 	if (!sim->run.paused)
 		return TS_OK;
 	status = get_all_once(sim, true);

@@ -3,7 +3,11 @@
  * After its last step a run leaves the particles divided, or a look at all of them if its last output or the inits of the
  * next one read them, while each rank keeps the lists of its own particles: a run that follows at once makes no lists of
  * all contacts. All ranks get the columns of all particles when a formula reads them, and all lists when a command, or a
- * formula, may read these. Only a script that is the whole program pauses so, as nothing else reads the simulation then. */
+ * formula, may read these. Only a script that is the whole program pauses so, as nothing else reads the simulation then.
+ *
+ * Commands that make particles before the first run divide them at once (particle/division.h, ts_division_make): the plan
+ * of the pause is empty, as behind read_restart, and commands that act on each particle by itself (TS_RANKS_ROWS) change
+ * those of each rank. */
 #ifndef TS_CORE_RANKS_PAUSE_H
 #define TS_CORE_RANKS_PAUSE_H
 

@@ -136,8 +136,10 @@ struct ts_run_state {
 	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
 	bool relist;	     /* the contact list alone is to be rebuilt: no particle is deleted */
 	bool runaways;	     /* a particle has moved by more than its radius in this step */
-	bool looks;	/* all ranks have all particles for outputs, but each has lists of its own only */
-	bool pauses;	/* the script is the whole program: core/ranks_pause.h */
+	bool looks;  /* all ranks have all particles for outputs, but each has lists of its own only */
+	bool pauses; /* the script is the whole program: core/ranks_pause.h */
+	bool made; /* each rank has its own of the particles that commands have made; nothing has been computed */
+	bool rowwise; /* a command acts on these, each by itself: formulas of particles read those of this rank */
 	bool apart;	/* with several ranks: formulas are evaluated that may read nothing of particles */
 	bool timed_out; /* the first of several ranks has found in this step that the wall time is up */
 	bool uneven;	/* some ranks have so many particles that all are to be divided again */

@@ -104,7 +104,10 @@ enum ts_rank_use {
 	TS_RANKS_FORMULAS = 64,
 	/* Neither its `init` nor its hooks of SETUP and FINISH read or change particles: ranks call them while the particles are
 	 * divided. */
-	TS_RANKS_ROWLESS = 128
+	TS_RANKS_ROWLESS = 128,
+	/* Commands that act on each particle by itself, so that ranks call them while each has its own of the particles that
+	 * commands have made, before the first run: core/ranks_pause.h. They call ts_ranks_unite where they need all. */
+	TS_RANKS_ROWS = 256
 };
 
 struct ts_carrier;

@@ -103,7 +103,8 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_FIX, "massflow/mesh/face",
 	  "faces of a mesh are not numbered; write a `fix mesh/surface` for each face, and for each of them "
 	  "`fix ID GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
-	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process; the box has no subdomains" },
+	{ TS_KIND_DUMP, "decomposition/vtk",
+	  "the blocks of ranks are not written; the log of a run tells their numbers" },
 	{ .name = NULL },
 };
 

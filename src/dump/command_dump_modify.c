@@ -41,6 +41,7 @@ const struct ts_command_style ts_command_dump_modify = {
 	.style = {
 		.name = "dump_modify",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Changes the settings of a dump",
 		.purpose = "Which frames a dump writes, their format, and the colours of pictures.",
 		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int %d. The "

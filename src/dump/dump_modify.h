@@ -63,8 +63,8 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_DUMP_ANSWER(T, "pbc", pbc, "no effect: positions are wrapped when the neighbor list is built"), \
 	TS_DUMP_ANSWER(T, "binary", binary, "binary instead of text in .vtk files; other VTK files are " \
 					    "always binary"),      \
-	TS_DUMP_COUNT(T, "fileper", fileper, 1, 1000000, "no effect: there is one process"),    \
-	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: there is one process"), \
+	TS_DUMP_COUNT(T, "fileper", fileper, 1, 1000000, "no effect: all ranks write one file"),    \
+	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: all ranks write one file"), \
 	TS_DUMP_PICTURE(T, "acolor", \
 			"TYPE COLOR: color of a type or a range of types; red/green/blue ...: in turn"), \
 	TS_DUMP_PICTURE(T, "adiam", "TYPE DIAMETER of a type or a range of types (length)"), \

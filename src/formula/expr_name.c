@@ -319,8 +319,10 @@ static enum ts_status quantity_of_particles(struct ts_expr *e, const char *name,
 
 	if (e->sim->reading.dry)
 		return set_unknown(out);
-	TS_TRY(require_all_particles(e, name, at));
-	TS_TRY(require_lists(e, true, at));
+	if (!e->sim->run.rowwise) {
+		TS_TRY(require_all_particles(e, name, at));
+		TS_TRY(require_lists(e, true, at));
+	}
 	status = ts_quantity_eval(e->sim, name, &table);
 	status = ts_expr_take_table(e, status, &table, out);
 	return ts_expr_locate_error(e, ts_expr_or_unknown(e, name, status, out), at, e->at);

@@ -2,14 +2,17 @@
 #include "base/sort.h"
 #include "core/sim.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/group.h"
+#include "core/ranks_pause.h"
 #include "core/uses.h"
 #include "group/group_dynamic.h"
 #include "neigh/neigh.h"
+#include "particle/division.h"
 #include "particle/molecule.h"
 #include "particle/particles.h"
 #include "region/region.h"
@@ -299,16 +302,24 @@ static enum ts_status assign_members(struct tsim *sim, const struct state *s, in
 	}
 }
 
+/* Whether the members depend on other particles, or may do so by a formula. */
+static bool reads_others(const struct state *s)
+{
+	return s->mode == MOLECULE || s->mode == INCLUDE || s->mode == VARIABLE || s->mode == DYNAMIC;
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	const struct ts_particles *p = sim->particles;
-	size_t count = 0;
+	int64_t count = 0;
 	int bit;
 
 	if (ts_streq(s->id, "all"))
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "group all always has all particles and cannot be changed");
+	if (reads_others(s))
+		TS_TRY(ts_ranks_unite(sim));
 	if (s->mode == DELETE)
 		return delete_group(sim, s, where);
 	if (s->mode == INCLUDE || s->mode == MOLECULE)
@@ -322,7 +333,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	TS_TRY(assign_members(sim, s, bit, where));
 	for (size_t i = 0; i < p->n; i++)
 		count += ts_in_group(p, i, bit);
-	ts_log(&sim->log, "%zu atoms in group %s\n", count, s->id);
+	ts_log(&sim->log, "%" PRId64 " atoms in group %s\n", ts_division_sum(sim, count), s->id);
 	return TS_OK;
 }
 
@@ -398,6 +409,7 @@ const struct ts_command_style ts_command_group = {
 	.style = {
 		.name = "group",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_ROWS,
 		.summary = "Assigns particles to a group",
 		.doc = "Adds the particles that fulfil the condition at present to those already in the\n"
 		       "group. Particles that are created later are not added. There can be 31 groups\n"

@@ -76,7 +76,7 @@ const struct ts_arg ts_image_args[] = {
 	WORDS("axes", axes_words,
 	      "no|yes|lowerleft|center LENGTH DIAM: axes x red, y green, z blue, as fractions of the lengths "
 	      "of the box (no)"),
-	WORDS("subbox", subbox_words, "yes|no DIAM: as `box`, since there is one process (no)"),
+	WORDS("subbox", subbox_words, "yes|no DIAM: as `box`, not blocks of ranks (no)"),
 	TS_REAL("shiny", struct ts_image, shiny, .range = TS_FRACTION, .fallback = "1",
 		.help = "0: dull surfaces, 1: highlights"),
 	TS_REAL("depthcue", struct ts_image, depthcue, .range = TS_FRACTION, .fallback = "0",

@@ -62,7 +62,7 @@ enum ts_status ts_image_add_box(struct ts_instance *self, struct tsim *sim)
 	const double unit = shortest(sim);
 	enum ts_status status = TS_OK;
 
-	/* one process has one subdomain: the box */
+	/* the picture does not depend on the ranks: the one subdomain is the box */
 	if (s->box.shown)
 		status = add_edges(s, sim, s->box.diameter * unit, s->box_colour);
 	if (status == TS_OK && s->subbox.shown)

@@ -8,10 +8,13 @@
 
 #include "base/clock.h"
 #include "box/domain.h"
+#include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "geom/pointhash.h"
 #include "insert/sites.h"
 #include "math/rng.h"
 #include "particle/columns.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 #include "region/region.h"
 
@@ -121,28 +124,33 @@ static enum ts_status place_at_random(struct tsim *sim, const struct state *s, s
 {
 	struct ts_pointhash hash = { 0 };
 	enum ts_status status = TS_OK;
-	int64_t missing = 0;
+	int64_t missing = 0, first;
+	size_t end;
 	double next = ts_clock() + 1;
 
 	if (s->distance > 0) {
 		status = ts_pointhash_start(&hash, s->distance) == TS_OK ? add_existing(sim, &hash)
 									 : ts_nomem(&sim->error);
 	}
-	for (int64_t k = 0; k < s->count && status == TS_OK; k++) {
+	first = (int64_t)ts_sites_first(to, (size_t)s->count, &end);
+	for (int64_t k = first; k < (int64_t)end && status == TS_OK; k++) {
+		const int64_t tried = k + 1 - first;
 		bool placed = false;
 
 		status = place_one_at_random(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to,
 					     &placed);
 		missing += !placed;
-		print_progress(sim, k + 1, k + 1 - missing, s->count, &next);
-		if (status == TS_OK && sim->requests.stop && k + 1 < s->count)
+		print_progress(sim, tried, tried - missing, s->count, &next);
+		if (status == TS_OK && sim->requests.stop && tried < s->count)
 			status = ts_fail(&sim->error, TS_STOPPED, where,
 					 "stopped on request: %lld of %lld particles had been placed, none "
 					 "is made",
-					 (long long)(k + 1 - missing), (long long)s->count);
+					 (long long)(tried - missing), (long long)s->count);
 	}
 	ts_log_progress(&sim->log, "");
 	ts_pointhash_release(&hash);
+	if (to->parts)
+		ts_ranks_sums(sim, &missing, 1);
 	if (status == TS_OK && missing)
 		ts_warn(&sim->log, where, "only %lld of %lld particles could be placed, with %lld tries each",
 			(long long)(s->count - missing), (long long)s->count, (long long)s->most_tries);
@@ -344,11 +352,15 @@ static enum ts_status check_memory(struct tsim *sim, const struct state *s, doub
 	return TS_OK;
 }
 
-static enum ts_status create_particles(struct tsim *sim, const struct ts_sites *from)
+/* all: of all ranks, of which this one makes those of `from`. */
+static enum ts_status create_particles(struct tsim *sim, const struct ts_sites *from, size_t all)
 {
 	struct ts_particles *p = sim->particles;
+	const int32_t before = p->max_tag;
 	size_t first;
 
+	if (all > (size_t)(INT32_MAX - before))
+		return ts_fail(&sim->error, TS_RANGE, NULL, "too many particles");
 	TS_TRY(ts_particles_add(sim, from->n, &first));
 	for (size_t k = 0; k < from->n; k++) {
 		const struct ts_site *site = &from->site[k];
@@ -356,13 +368,15 @@ static enum ts_status create_particles(struct tsim *sim, const struct ts_sites *
 
 		for (int d = 0; d < 3; d++)
 			p->x[first + k][d] = site->x[d];
-		p->type[first + k] = (int32_t)site->type;
+		p->tag[first + k] = before + 1 + site->number;
+		p->type[first + k] = site->type;
 		if (mass > 0)
 			p->mass[first + k] = mass;
 		p->imass[first + k] = 1 / p->mass[first + k];
 	}
-	ts_log(&sim->log, "Created %zu atoms\n", from->n);
-	return TS_OK;
+	p->max_tag = before + (int32_t)all;
+	ts_log(&sim->log, "Created %zu atoms\n", all);
+	return sim->division ? ts_division_made(sim) : TS_OK;
 }
 
 static enum ts_status check_arguments(struct tsim *sim, const struct state *s, const struct ts_place *where)
@@ -388,8 +402,21 @@ static enum ts_status check_arguments(struct tsim *sim, const struct state *s, c
 static enum ts_status check_and_place_at_random(struct tsim *sim, const struct state *s, struct ts_sites *to,
 						const struct ts_place *where)
 {
-	TS_TRY(check_memory(sim, s, (double)s->count, where));
+	TS_TRY(check_memory(sim, s, (double)s->count / (to->parts ? to->parts : 1), where));
 	return place_at_random(sim, s, to, where);
+}
+
+/* Whether positions depend on those of present particles. */
+static bool looks_at_present(const struct state *s)
+{
+	return s->mode == RANDOM && s->distance > 0;
+}
+
+/* Whether each position is found without the others, so that each of several ranks finds a part of them. */
+static bool is_each_alone(const struct state *s)
+{
+	return s->mode == RANDOM ? !(s->distance > 0)
+				 : s->mode != SINGLE && !s->variable && !s->ratio.n && !s->subset.n;
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -397,19 +424,28 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	struct ts_sites to = { 0 };
 	enum ts_status status;
+	size_t all;
 
 	TS_TRY(check_arguments(sim, s, where));
+	if (looks_at_present(s))
+		TS_TRY(ts_ranks_unite(sim));
 	TS_TRY(ts_region_update(s->region, sim));
+	if (is_each_alone(s) && ts_division_can_make(sim)) {
+		to.part = sim->world->rank;
+		to.parts = sim->world->n;
+	}
 	if (s->mode == SINGLE)
 		status = place_single(sim, s, &to, where);
 	else if (s->mode == RANDOM)
 		status = check_and_place_at_random(sim, s, &to, where);
 	else
 		status = place_on_lattice(sim, s, &to, where);
+	if (status == TS_OK)
+		status = ts_sites_divide(sim, &to, &all);
 	if (status == TS_OK && s->mode != RANDOM)
 		status = check_memory(sim, s, (double)to.n, where);
 	if (status == TS_OK)
-		status = create_particles(sim, &to);
+		status = create_particles(sim, &to, all);
 	ts_sites_release(&to);
 	return status;
 }
@@ -487,6 +523,7 @@ const struct ts_command_style ts_command_create_atoms = {
 	.style = {
 		.name = "create_atoms",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_ROWS,
 		.summary = "Creates particles",
 		.doc = "Creates particles at rest, with diameter 1 and density 1, or the mass given by\n"
 		       "the mass command; use `set` to change these. Atom IDs continue from the largest\n"

@@ -29,6 +29,15 @@ void ts_sites_release(struct ts_sites *sites)
 	*sites = (struct ts_sites){ 0 };
 }
 
+size_t ts_sites_first(const struct ts_sites *sites, size_t n, size_t *end)
+{
+	const size_t parts = sites->parts ? (size_t)sites->parts : 1,
+		     part = sites->parts ? (size_t)sites->part : 0;
+
+	*end = n * (part + 1) / parts;
+	return n * part / parts;
+}
+
 static bool is_within(const double lo[3], const double hi[3], const double x[3])
 {
 	for (int d = 0; d < 3; d++)
@@ -114,6 +123,7 @@ enum ts_status ts_sites_on_lattice(struct tsim *sim, const struct ts_instance *r
 	struct ts_box fill = sim->domain->box;
 	double lo[3], hi[3];
 	long first[3], last[3], c[3];
+	size_t rows, end;
 
 	ts_sites_limits(sim, region, lo, hi);
 	for (int d = 0; d < 3; d++) {
@@ -127,15 +137,17 @@ enum ts_status ts_sites_on_lattice(struct tsim *sim, const struct ts_instance *r
 			return TS_OK;
 	}
 	TS_TRY(find_cells(sim, lo, hi, where, first, last));
-	for (c[2] = first[2]; c[2] <= last[2]; c[2]++)
-		for (c[1] = first[1]; c[1] <= last[1]; c[1]++) {
-			if (sim->requests.stop)
-				return ts_fail(&sim->error, TS_STOPPED, where,
-					       "stopped on request: the lattice was not filled yet, no "
-					       "particle is made");
-			for (c[0] = first[0]; c[0] <= last[0]; c[0]++)
-				TS_TRY(fill_cell(sim, region, type_of_basis, &fill, c, sites));
-		}
+	rows = (size_t)(last[1] - first[1] + 1);
+	for (size_t k = ts_sites_first(sites, rows * (size_t)(last[2] - first[2] + 1), &end); k < end; k++) {
+		c[2] = first[2] + (long)(k / rows);
+		c[1] = first[1] + (long)(k % rows);
+		if (sim->requests.stop)
+			return ts_fail(&sim->error, TS_STOPPED, where,
+				       "stopped on request: the lattice was not filled yet, no particle is "
+				       "made");
+		for (c[0] = first[0]; c[0] <= last[0]; c[0]++)
+			TS_TRY(fill_cell(sim, region, type_of_basis, &fill, c, sites));
+	}
 	return TS_OK;
 }
 

@@ -13,7 +13,7 @@ struct state {
 
 static const char *const parts[] = { "local", "owned", "all", "ghost", NULL };
 
-/* In LIGGGHTS these words choose parts of a mesh by processor. Here there is one process, and no copies
+/* In LIGGGHTS these words choose parts of a mesh by processor. Here each rank has whole meshes, and no copies
  * for periodic images (ghost) are stored. */
 static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, struct ts_words rest,
 				size_t *taken)

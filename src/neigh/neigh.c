@@ -247,7 +247,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 			ts_leaving_hold(sim);
 	}
 	if (sim->division)
-		ts_division_read_out(sim->division);
+		ts_division_read_out(sim);
 	ghost_reach = 2 * largest + nb->built_skin + image_reach;
 	nb->copy_reach = fmax(ghost_reach, nb->centre_reach + nb->built_skin);
 	TS_TRY(ts_exchange_borders(sim, ghost_reach, nb->copy_reach,

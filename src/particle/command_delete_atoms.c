@@ -1,11 +1,15 @@
 /* Command delete_atoms: deletes particles. */
 #include "core/sim.h"
 
+#include <inttypes.h>
+
 #include "box/domain.h"
 #include "core/group.h"
+#include "core/ranks_pause.h"
 #include "geom/pointhash.h"
 #include "group/group_dynamic.h"
 #include "particle/columns.h"
+#include "particle/division.h"
 #include "particle/draw.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
@@ -158,16 +162,20 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	struct state *s = state;
 	struct ts_particles *p = sim->particles;
-	size_t before = p->n;
+	int64_t number[2] = { 0 }; /* of particles: deleted, left */
+	size_t before;
 	unsigned char *flag;
 	enum ts_status status;
 
+	if (s->mode != GROUP && s->mode != REGION)
+		TS_TRY(ts_ranks_unite(sim));
 	TS_TRY(ts_region_update(s->region, sim));
 	if (s->mode == POROSITY)
 		TS_TRY(read_porosity(sim, s));
 	if (s->mode == RANDOM && s->part == FRACTION && s->amount > 1)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "delete_atoms random: %g is not a fraction from 0 to 1", s->amount);
+	before = p->n;
 	flag = ts_alloc(p->n, 1);
 	if (!flag)
 		return ts_nomem(&sim->error);
@@ -175,9 +183,12 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (status == TS_OK)
 		status = ts_particles_delete(sim, flag);
 	ts_free(flag);
-	if (status == TS_OK)
-		ts_log(&sim->log, "Deleted %zu atoms, new total = %zu\n", before - p->n, p->n);
-	return status;
+	if (status != TS_OK)
+		return status;
+	number[0] = ts_division_sum(sim, (int64_t)(before - p->n));
+	number[1] = ts_division_sum(sim, (int64_t)p->n);
+	ts_log(&sim->log, "Deleted %" PRId64 " atoms, new total = %" PRId64 "\n", number[0], number[1]);
+	return TS_OK;
 }
 
 static const struct ts_arg group_args[] = {
@@ -257,6 +268,7 @@ const struct ts_command_style ts_command_delete_atoms = {
 	.style = {
 		.name = "delete_atoms",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_ROWS,
 		.summary = "Deletes particles",
 		.doc = "Deletes the selected particles and their bonds. Particles keep their atom IDs,\n"
 		       "and IDs of deleted particles are not used again.\n\n"

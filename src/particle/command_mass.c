@@ -41,6 +41,7 @@ const struct ts_command_style ts_command_mass = {
 	.style = {
 		.name = "mass",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_ROWS,
 		.summary = "Sets the mass of particles of a type",
 		.doc = "Sets the mass of all present particles of these types, and of particles that\n"
 		       "create_atoms creates later. `set` with the keyword density, diameter or mass\n"

@@ -1,11 +1,15 @@
 /* Command set: sets properties of particles. */
 #include "core/sim.h"
 
+#include <inttypes.h>
 #include <math.h>
 
 #include "bond/bonds.h"
+#include "core/ranks.h"
+#include "core/ranks_pause.h"
 #include "particle/assign_words.h"
 #include "particle/columns.h"
+#include "particle/division.h"
 #include "particle/identity.h"
 #include "particle/molecule.h"
 #include "particle/particles.h"
@@ -113,27 +117,44 @@ static void set_value(struct tsim *sim, size_t i, int what, double value)
 	}
 }
 
+/* The chosen particle of the least identity, of those of all ranks, that cannot have its value; SIZE_MAX: this rank has none
+ * such. */
+static size_t find_impossible(const struct tsim *sim, const unsigned char *chosen, int what,
+			      const struct ts_table *table)
+{
+	const struct ts_particles *p = sim->particles;
+	size_t first = SIZE_MAX;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (chosen[i] && expected_value(p, what, table->data[i]) &&
+		    (first == SIZE_MAX || p->tag[i] < p->tag[first]))
+			first = i;
+	if (sim->division) {
+		double least = first == SIZE_MAX ? -INFINITY : -(double)p->tag[first];
+
+		return ts_ranks_most(sim, least) == least && first != SIZE_MAX ? first : SIZE_MAX;
+	}
+	return first;
+}
+
 static enum ts_status set_number(struct tsim *sim, const struct state *s, const unsigned char *chosen,
 				 int what, const struct ts_place *where, struct ts_table *table)
 {
 	struct ts_particles *p = sim->particles;
+	size_t bad;
 
 	if (what == DENSITY_DISC && sim->dimension != 2)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "set: particles are discs only after `dimension 2`; use density");
 	TS_TRY(ts_assign_values(sim, &s->value[what], where, table));
-	for (size_t i = 0; i < p->n; i++) {
-		const char *expected;
-
-		if (!chosen[i])
-			continue;
-		expected = expected_value(p, what, table->data[i]);
-		if (expected)
-			return ts_fail(&sim->error, TS_RANGE, where,
-				       "set: %s of particle %d would be %g, expected %s", names[what],
-				       p->tag[i], table->data[i], expected);
-		set_value(sim, i, what, table->data[i]);
-	}
+	bad = find_impossible(sim, chosen, what, table);
+	if (bad != SIZE_MAX)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "set: %s of particle %d would be %g, expected %s", names[what], p->tag[bad],
+			       table->data[bad], expected_value(p, what, table->data[bad]));
+	for (size_t i = 0; i < p->n; i++)
+		if (chosen[i])
+			set_value(sim, i, what, table->data[i]);
 	return TS_OK;
 }
 
@@ -226,6 +247,11 @@ static enum ts_status set_words(struct tsim *sim, const struct state *s, const u
 	}
 }
 
+static void log_settings(struct tsim *sim, size_t count, const char *what)
+{
+	ts_log(&sim->log, "  %" PRId64 " settings made for %s\n", ts_division_sum(sim, (int64_t)count), what);
+}
+
 static enum ts_status apply_settings(struct tsim *sim, const struct state *s, const unsigned char *chosen,
 				     size_t count, const struct ts_place *where)
 {
@@ -236,7 +262,7 @@ static enum ts_status apply_settings(struct tsim *sim, const struct state *s, co
 	for (int what; status == TS_OK && (what = next_number(s, &at)) >= 0;) {
 		status = set_number(sim, s, chosen, what, where, &table);
 		if (status == TS_OK)
-			ts_log(&sim->log, "  %zu settings made for %s\n", count, names[what]);
+			log_settings(sim, count, names[what]);
 	}
 	ts_table_release(&table);
 	for (int what = 0; what < NWORDS && status == TS_OK; what++) {
@@ -244,9 +270,18 @@ static enum ts_status apply_settings(struct tsim *sim, const struct state *s, co
 			continue;
 		status = set_words(sim, s, chosen, what, &changed);
 		if (status == TS_OK)
-			ts_log(&sim->log, "  %zu settings made for %s\n", changed, word_names[what]);
+			log_settings(sim, changed, word_names[what]);
 	}
 	return status;
+}
+
+/* Whether what a particle gets depends on the others, or is not a number of the particle. */
+static bool reads_others(const struct state *s)
+{
+	for (int what = 0; what < NWORDS; what++)
+		if (s->words[what].n && what != IMAGE && what != OMEGA && what != TYPE_FRACTION)
+			return true;
+	return false;
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -257,6 +292,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	enum ts_status status = TS_OK;
 	size_t count = 0;
 
+	if (reads_others(s))
+		TS_TRY(ts_ranks_unite(sim));
 	if (s->mode == MOLECULE)
 		TS_TRY(ts_particles_need_molecules(sim, "set", where));
 	TS_TRY(ts_region_update(s->region, sim));
@@ -374,6 +411,7 @@ const struct ts_command_style ts_command_set = {
 	.style = {
 		.name = "set",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_ROWS,
 		.summary = "Sets properties of particles",
 		.purpose = "Changes particles that exist: their size, density, velocity, type.",
 		.doc = "Sets properties of the selected particles. A number may be v_NAME; an atom-style\n"

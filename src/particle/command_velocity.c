@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "box/domain.h"
+#include "core/ranks_pause.h"
 #include "group/group_spin.h"
 #include "group/temperature.h"
 #include "math/rng.h"
@@ -274,6 +275,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->bias && !s->temp)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
 			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
+	if (s->temp) /* a compute */
+		TS_TRY(ts_ranks_unite(sim));
 	if ((s->mode == SET && !is_zero(s)) || s->mode == RAMP)
 		ts_domain_units_said(sim, s->units, where);
 	switch (s->mode) {
@@ -388,6 +391,7 @@ const struct ts_command_style ts_command_velocity = {
 	.style = {
 		.name = "velocity",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_ROWS,
 		.summary = "Sets velocities of particles",
 		.doc = "create draws each velocity component with the variance 1/m, from a uniform or\n"
 		       "Gaussian distribution; the random numbers are functions of seed and atom ID. It\n"

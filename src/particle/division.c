@@ -10,201 +10,13 @@
 #include "core/ranks.h"
 #include "particle/carrier_rows.h"
 #include "particle/columns.h"
+#include "particle/division_blocks.h"
 #include "particle/identity.h"
 #include "particle/shared_rows.h"
 #include "particle/turning.h"
 #include "rank/loads.h"
 
 #include "base/banned.h"
-
-/* ---- blocks */
-
-/* Room for chance, in particles. */
-enum { FEW = 100 };
-/* The blocks are cut again, in the next rebuild, if one has more than this times the particles of the largest one after the
- * last cut: when all ranks have got all particles, or the numbers are known at the end of a run; and else. */
-static const double UNEVEN = 1.05, VERY_UNEVEN = 1.2;
-
-/* The lengths of the space that most of the particles fill, not 0. */
-static bool find_filled(double (*x)[3], size_t n, const double lo[3], const double hi[3], double length[3])
-{
-	if (n && !ts_rank_points_filled(x, n, n / 20, length))
-		return false;
-	for (int k = 0; k < 3; k++)
-		length[k] = n ? fmax(length[k], 1e-3 * (hi[k] - lo[k])) : hi[k] - lo[k];
-	return true;
-}
-
-static enum ts_status find_grid(struct tsim *sim, int ranks, const double length[3], int count[3])
-{
-	const struct ts_domain *domain = sim->domain;
-
-	if (ts_rank_blocks_choose(ranks, domain->processors, length, sim->dimension, count))
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 0, NULL),
-		       "processors: %d ranks cannot be arranged in a grid of %d x %d x %d (0: any number)",
-		       ranks, domain->processors[0], domain->processors[1], domain->processors[2]);
-}
-
-static enum ts_status choose_grid(struct tsim *sim, int ranks, double (*x)[3], size_t n, const double lo[3],
-				  const double hi[3], int count[3])
-{
-	double length[3];
-
-	return find_filled(x, n, lo, hi, length) ? find_grid(sim, ranks, length, count)
-						 : ts_nomem(&sim->error);
-}
-
-static void find_periodic(const struct tsim *sim, bool periodic[3])
-{
-	for (int k = 0; k < 3; k++)
-		periodic[k] = ts_box_periodic(&sim->domain->box, k);
-}
-
-/* Where the particles are, and the box. */
-struct placed {
-	double (*x)[3];
-	const int32_t *tag; /* NULL: their numbers instead */
-	size_t n;
-	const double *lo, *hi;
-};
-
-/* At the last rebuild. */
-static struct placed placed_before(const struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-
-	return (struct placed){ p->xhold, p->tag, p->n, sim->domain->held_lo, sim->domain->held_hi };
-}
-
-static struct placed placed_now(const struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-
-	return (struct placed){ p->x, p->tag, p->n, sim->domain->box.lo, sim->domain->box.hi };
-}
-
-/* Particles by which the box is cut; the error of the numbers in the blocks of 4 ranks is then about 0.5 %. */
-enum { SAMPLE = 1 << 17 };
-
-/* Whether the particle is one of about 1/part of all, which are spread over any lattice. */
-static bool is_sampled(int32_t tag, uint64_t part)
-{
-	uint64_t mixed = (uint64_t)tag * 0x9e3779b97f4a7c15u;
-
-	return (mixed >> 32) % part == 0;
-}
-
-/* The places of some particles; while they are divided of those of all ranks, which all get the same. */
-static enum ts_status sample_places(struct tsim *sim, const struct placed *placed, struct ts_parcel *places)
-{
-	double(*at)[3] = placed->x;
-	uint64_t part = (uint64_t)ts_division_sum(sim, (int64_t)placed->n) / SAMPLE + 1;
-	struct ts_parcel own = { 0 };
-	enum ts_status status = TS_OK;
-
-	for (size_t i = 0; status == TS_OK && i < placed->n; i++)
-		if (is_sampled(placed->tag ? placed->tag[i] : (int32_t)i, part))
-			status = ts_parcel_add(sim->division ? &own : places, at[i], sizeof at[i]);
-	if (status == TS_OK && sim->division)
-		status = ts_world_share(sim->world, &own, places);
-	ts_parcel_release(&own);
-	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
-}
-
-/* Blocks with about the same number of the particles. */
-static enum ts_status cut_space(struct tsim *sim, int ranks, struct placed placed,
-				struct ts_rank_blocks *blocks)
-{
-	const double *lo = placed.lo, *hi = placed.hi;
-	struct ts_parcel places = { 0 };
-	enum ts_status status = sample_places(sim, &placed, &places);
-	double(*x)[3] = (double(*)[3])(void *)places.data;
-	size_t n = places.n / sizeof *x;
-	bool periodic[3];
-	int count[3];
-
-	find_periodic(sim, periodic);
-	if (status == TS_OK)
-		status = choose_grid(sim, ranks, x, n, lo, hi, count);
-	if (status == TS_OK &&
-	    !(ts_rank_blocks_cut(blocks, count, lo, hi, periodic) && ts_rank_blocks_balance(blocks, x, n)))
-		status = ts_nomem(&sim->error);
-	ts_parcel_release(&places);
-	return status;
-}
-
-enum ts_status ts_division_cut(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
-{
-	return cut_space(sim, ranks, placed_before(sim), blocks);
-}
-
-/* Whether the present blocks are those of the script's grid and box. */
-static bool blocks_fit(const struct tsim *sim, struct ts_division *d, const double lo[3], const double hi[3])
-{
-	const struct ts_rank_blocks *blocks = &d->blocks;
-
-	if (!blocks->bisection && !blocks->cut[0])
-		return false;
-	for (int k = 0; k < 3; k++) {
-		int given = blocks->bisection ? 0 : sim->domain->processors[k];
-
-		if ((given && given != blocks->count[k]) ||
-		    blocks->periodic[k] != ts_box_periodic(&sim->domain->box, k))
-			return false;
-	}
-	ts_rank_blocks_fit(&d->blocks, lo, hi);
-	return true;
-}
-
-/* owner[i]: the rank of each particle; returns the particles of the rank that has most, counted in n[rank]. */
-static size_t find_owners(const struct tsim *sim, const struct ts_division *d, double (*at)[3],
-			  int32_t *owner, size_t *n)
-{
-	const struct ts_particles *p = sim->particles;
-	size_t most = 0;
-
-	memset(n, 0, (size_t)d->ranks * sizeof *n);
-	for (size_t i = 0; i < p->n; i++) {
-		owner[i] = (int32_t)ts_rank_blocks_owner(&d->blocks, at[i]);
-		n[owner[i]]++;
-	}
-	for (int r = 0; r < d->ranks; r++)
-		most = n[r] > most ? n[r] : most;
-	return most;
-}
-
-/* Whether a block with n particles has this much more than when the blocks were cut. */
-static bool is_uneven(const struct ts_division *d, double factor, double n)
-{
-	return !d->held && n > factor * (double)d->cut_most + FEW;
-}
-
-/* All ranks have the same particles, and choose the same blocks. */
-static enum ts_status choose_blocks(struct tsim *sim, struct ts_division *d, const struct placed *placed,
-				    int32_t *owner)
-{
-	size_t *n = ts_alloc((size_t)d->ranks, sizeof *n), most = 0;
-	enum ts_status status = n ? TS_OK : ts_nomem(&sim->error);
-	bool fit = blocks_fit(sim, d, placed->lo, placed->hi);
-
-	sim->run.uneven = false;
-	d->held &= fit;
-	if (status == TS_OK && fit)
-		most = find_owners(sim, d, placed->x, owner, n);
-	if (status == TS_OK && (!fit || is_uneven(d, UNEVEN, (double)most))) {
-		status = cut_space(sim, sim->world->n, *placed, &d->blocks);
-		if (status == TS_OK)
-			d->cut_most = find_owners(sim, d, placed->x, owner, n);
-	}
-	ts_free(n);
-	return status;
-}
-
-bool ts_division_near(const struct tsim *sim, int dim, double x, double reach)
-{
-	return !sim->division || ts_rank_blocks_near(&sim->division->blocks, sim->world->rank, dim, x, reach);
-}
 
 /* Whether the variable of a dynamic group, NAME or v_NAME, depends on all particles. */
 static bool chosen_by_all(const struct tsim *sim, const char *variable)
@@ -228,11 +40,17 @@ const char *ts_division_refused(const struct tsim *sim)
 	return NULL;
 }
 
-void ts_division_read_out(struct ts_division *d)
+static void release_reread(struct ts_division *d)
 {
-	if (d->reread.all)
+	if (d->reread.release)
 		d->reread.release(d->reread.data);
 	d->reread = (struct ts_reread){ 0 };
+}
+
+void ts_division_read_out(struct tsim *sim)
+{
+	release_reread(sim->particles->division);
+	sim->run.made = false;
 }
 
 void ts_division_free(struct ts_division *d)
@@ -245,25 +63,10 @@ void ts_division_free(struct ts_division *d)
 	ts_free(d->turned);
 	ts_str_release(&d->said);
 	ts_parcel_release(&d->look.ghosts);
-	ts_division_read_out(d);
+	release_reread(d);
 	ts_rank_blocks_release(&d->blocks);
 	ts_copies_release(&d->copies, d->ranks);
 	ts_free(d);
-}
-
-/* While the particles are divided: new blocks, to which they move in this rebuild. */
-static enum ts_status cut_again(struct tsim *sim, struct ts_division *d)
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_rank_points points = { .x = p->x, .n = p->n, .world = sim->world };
-	struct ts_rank_load load;
-
-	sim->run.uneven = false;
-	TS_TRY(cut_space(sim, d->ranks, placed_now(sim), &d->blocks));
-	if (ts_rank_load_find(&d->blocks, &points, &load) != TS_OK)
-		return ts_nomem(&sim->error);
-	d->cut_most = (size_t)load.most;
-	return TS_OK;
 }
 
 enum ts_status ts_division_let_go(struct tsim *sim)
@@ -273,7 +76,7 @@ enum ts_status ts_division_let_go(struct tsim *sim)
 	if (!sim->division || sim->division->reread.all)
 		return TS_OK;
 	if (sim->run.uneven)
-		TS_TRY(cut_again(sim, sim->division));
+		TS_TRY(ts_division_cut_again(sim, sim->division));
 	if (!(ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2)))
 		return TS_OK;
 	return ts_turning_exchange(sim);
@@ -360,7 +163,7 @@ static enum ts_status send_leaving(struct tsim *sim, int32_t *to, unsigned char 
 	most[0] = leaving->n || ts_turning_found(d);
 	most[1] = (double)sim->particles->n;
 	ts_world_most(sim->world, most, 2);
-	sim->run.uneven |= is_uneven(d, VERY_UNEVEN, most[1]);
+	sim->run.uneven |= ts_division_is_very_uneven(d, most[1]);
 	if (!(most[0] > 0))
 		return TS_OK;
 	if (!d->reread.all) { /* else each rank has read what belongs to them */
@@ -410,12 +213,13 @@ static enum ts_status remake_lists(struct ts_plan *plan, struct tsim *sim, struc
 	return status;
 }
 
-static enum ts_status keep_own_particles(struct tsim *sim, struct ts_division *d, struct placed placed)
+static enum ts_status keep_own_particles(struct tsim *sim, struct ts_division *d, struct ts_placed placed)
 {
 	const struct ts_particles *p = sim->particles;
 	unsigned char *gone = ts_alloc(p->n, sizeof *gone);
 	int32_t *owner = ts_alloc(p->n, sizeof *owner);
-	enum ts_status status = gone && owner ? choose_blocks(sim, d, &placed, owner) : ts_nomem(&sim->error);
+	enum ts_status status =
+		gone && owner ? ts_division_choose_blocks(sim, d, &placed, owner) : ts_nomem(&sim->error);
 
 	for (size_t i = 0; status == TS_OK && i < p->n; i++)
 		gone[i] = owner[i] != sim->world->rank;
@@ -424,37 +228,6 @@ static enum ts_status keep_own_particles(struct tsim *sim, struct ts_division *d
 	ts_free(owner);
 	ts_free(gone);
 	return status;
-}
-
-static enum ts_status make_division(struct tsim *sim)
-{
-	struct ts_division *d;
-
-	if (sim->particles->division)
-		return TS_OK;
-	d = ts_alloc(1, sizeof *d);
-	sim->particles->division = d;
-	if (!d)
-		return ts_nomem(&sim->error);
-	d->ranks = ts_ranks(sim);
-	return ts_copies_init(&d->copies, d->ranks) == TS_OK ? TS_OK : ts_nomem(&sim->error);
-}
-
-enum ts_status ts_division_begin(struct tsim *sim, double (*x)[3], size_t n)
-{
-	const struct ts_box *box = &sim->domain->box;
-	struct ts_division *d;
-
-	TS_TRY(make_division(sim));
-	d = sim->particles->division;
-	d->held = false;
-	d->cut_most = n / (size_t)d->ranks;
-	return cut_space(sim, d->ranks, (struct placed){ x, NULL, n, box->lo, box->hi }, &d->blocks);
-}
-
-bool ts_division_owns(const struct tsim *sim, const double x[3])
-{
-	return ts_rank_blocks_owner(&sim->particles->division->blocks, x) == sim->world->rank;
 }
 
 bool ts_division_rereads(const struct tsim *sim)
@@ -468,44 +241,6 @@ void ts_division_start(struct tsim *sim, const struct ts_reread *reread)
 {
 	sim->division = sim->particles->division;
 	sim->division->reread = *reread;
-}
-
-enum ts_status ts_division_blocks(struct tsim *sim, struct ts_rank_blocks **blocks)
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_box *box = &sim->domain->box;
-	struct ts_division *d;
-
-	TS_TRY(make_division(sim));
-	d = p->division;
-	*blocks = &d->blocks;
-	if (blocks_fit(sim, d, box->lo, box->hi))
-		return TS_OK;
-	d->held = false;
-	d->cut_most = p->n / (size_t)d->ranks;
-	return cut_space(sim, d->ranks, placed_now(sim), &d->blocks);
-}
-
-enum ts_status ts_division_plan(struct tsim *sim, int ranks, struct ts_rank_blocks *blocks)
-{
-	const struct ts_domain *domain = sim->domain;
-	struct ts_division *d = sim->particles->division;
-
-	if (!d || !d->held || d->ranks != ranks || !blocks_fit(sim, d, domain->held_lo, domain->held_hi))
-		return ts_division_cut(sim, ranks, blocks);
-	return ts_rank_blocks_copy(blocks, &d->blocks) ? TS_OK : ts_nomem(&sim->error);
-}
-
-enum ts_status ts_division_cut_equal(struct tsim *sim, struct ts_rank_blocks *blocks)
-{
-	const struct ts_box *box = &sim->domain->box;
-	const double length[3] = { ts_box_length(box, 0), ts_box_length(box, 1), ts_box_length(box, 2) };
-	bool periodic[3];
-	int count[3];
-
-	find_periodic(sim, periodic);
-	TS_TRY(find_grid(sim, ts_rank_blocks_number(blocks), length, count));
-	return ts_rank_blocks_cut(blocks, count, box->lo, box->hi, periodic) ? TS_OK : ts_nomem(&sim->error);
 }
 
 static void keep_warning(void *data, enum ts_log_level level, const char *text)
@@ -573,9 +308,9 @@ enum ts_status ts_division_hide(struct tsim *sim)
 enum ts_status ts_division_keep_own(struct tsim *sim)
 {
 	TS_TRY(sim->particles->check_movers(sim)); /* the same message from all ranks */
-	TS_TRY(make_division(sim));
+	TS_TRY(ts_division_new(sim));
 	TS_TRY(keep_own_particles(sim, sim->particles->division,
-				  sim->run.resuming ? placed_before(sim) : placed_now(sim)));
+				  sim->run.resuming ? ts_placed_before(sim) : ts_placed_now(sim)));
 	listen(sim, sim->particles->division);
 	sim->division = sim->particles->division;
 	return TS_OK;
@@ -585,7 +320,7 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 {
 	struct ts_division *d;
 
-	TS_TRY(make_division(sim));
+	TS_TRY(ts_division_new(sim));
 	d = sim->particles->division;
 	ts_deferred_loops_run(sim);
 	if (sim->run.looks) {
@@ -595,7 +330,7 @@ enum ts_status ts_division_divide(struct ts_plan *plan, struct tsim *sim)
 		sim->division = d;
 		return TS_OK;
 	}
-	TS_TRY(keep_own_particles(sim, d, placed_before(sim)));
+	TS_TRY(keep_own_particles(sim, d, ts_placed_before(sim)));
 	listen(sim, d);
 	sim->division = d;
 	return remake_lists(plan, sim, d); /* these continue the contacts of the old lists */
@@ -647,18 +382,6 @@ static enum ts_status join_sums(struct tsim *sim)
 	return TS_OK;
 }
 
-/* Whether this rank, or another one, has so many more particles than when the blocks were cut that they should be cut
- * again; counts the least and the most. */
-static bool blocks_are_uneven(struct tsim *sim, struct ts_division *d)
-{
-	double n[2] = { (double)sim->particles->n, -(double)sim->particles->n };
-
-	ts_world_most(sim->world, n, 2);
-	d->most = (size_t)n[0];
-	d->least = (size_t)-n[1];
-	return is_uneven(d, UNEVEN, n[0]);
-}
-
 /* All ranks get all particles and the rows of all carriers, and make the lists again. */
 static enum ts_status gather_all(struct ts_plan *plan, struct tsim *sim, struct ts_division *d)
 {
@@ -675,12 +398,12 @@ static enum ts_status gather_all(struct ts_plan *plan, struct tsim *sim, struct 
 	return remake_lists(plan, sim, d);
 }
 
-/* Each rank has read its own particles of a file. */
+/* Each rank has its own particles of a file, or of those that commands have made. */
 static enum ts_status read_again(struct tsim *sim, struct ts_division *d)
 {
 	TS_TRY(leave_division(sim, d));
 	TS_TRY(d->reread.all(sim, d->reread.data));
-	ts_division_read_out(d);
+	ts_division_read_out(sim);
 	return TS_OK;
 }
 
@@ -696,7 +419,7 @@ enum ts_status ts_division_gather(struct ts_plan *plan, struct tsim *sim, bool l
 		TS_TRY(join_sums(sim));
 	d->unjoined = false;
 	d->gathered++;
-	sim->run.uneven |= blocks_are_uneven(sim, d);
+	sim->run.uneven |= ts_division_is_uneven(sim, d);
 	if (lists)
 		return gather_all(plan, sim, d);
 	TS_TRY(ts_division_show(sim, NULL));
@@ -714,7 +437,7 @@ enum ts_status ts_division_rest(struct tsim *sim, bool begins)
 		return TS_OK;
 	}
 	d->unjoined = true;
-	sim->run.uneven |= blocks_are_uneven(sim, d);
+	sim->run.uneven |= ts_division_is_uneven(sim, d);
 	TS_TRY(print_warnings(sim, d));
 	listen(sim, NULL);
 	return TS_OK;

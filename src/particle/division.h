@@ -42,8 +42,8 @@ struct ts_division {
 	int64_t gathered;    /* how often all ranks got all particles */
 	int64_t listed;	     /* how often contacts, too */
 	struct ts_look look;
-	/* Each rank has read its own particles of a file, and nothing has been computed: who needs all reads them again by this
-	 * function. */
+	/* Each rank has its own particles of a file, or of those that commands have made, and nothing has been computed: who
+	 * needs all gets them by this function. release: NULL: there is nothing to release. */
 	struct ts_reread {
 		enum ts_status (*all)(struct tsim *sim, void *data);
 		void (*release)(void *data);
@@ -69,7 +69,25 @@ void ts_division_start(struct tsim *sim, const struct ts_reread *reread);
 /* Whether all particles of the file are being read instead, by all ranks. */
 bool ts_division_rereads(const struct tsim *sim);
 /* Lists are made, or all ranks have all particles: the file is not needed again. */
-void ts_division_read_out(struct ts_division *division);
+void ts_division_read_out(struct tsim *sim);
+
+/* Whether each rank may keep its own only of the particles that a command makes before the first run. */
+bool ts_division_can_make(const struct tsim *sim);
+/* Particles are to be made at the places of all ranks, of which this one knows x[n]: the division begins, if it has not, and
+ * its blocks are cut for these. */
+enum ts_status ts_division_make(struct tsim *sim, double (*x)[3], size_t n);
+/* Then: what is to become particles, rows of `size` bytes that begin with three coordinates. Each rank gives those that it has to
+ * the ranks of their blocks, and gets its own, in the order of the ranks that gave them. */
+struct ts_new_rows {
+	void *row;
+	size_t n, capacity; /* of the memory, in rows */
+	size_t size;
+};
+enum ts_status ts_division_deliver(struct tsim *sim, struct ts_new_rows *rows);
+/* Of rows that ranks have one after the other, of which this rank has n: how many come before these, and of all ranks. */
+enum ts_status ts_division_count(struct tsim *sim, size_t n, size_t *before, size_t *all);
+/* They have been made: where the blocks do not fit those of before, too, they are cut again. */
+enum ts_status ts_division_made(struct tsim *sim);
 /* Slot of the system of particles. */
 const char *ts_division_refused(const struct tsim *sim);
 void ts_division_free(struct ts_division *division);

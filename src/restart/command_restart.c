@@ -73,6 +73,7 @@ const struct ts_command_style ts_command_restart = {
 	.style = {
 		.name = "restart",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Writes restart files every N steps during runs",
 		.doc = "Defines a dump of style restart with the ID restart, which writes its files after the "
 		       "dumps defined before it. Files are written under a temporary name and renamed, so "

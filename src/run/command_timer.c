@@ -108,6 +108,7 @@ const struct ts_command_style ts_command_timer = {
 	.style = {
 		.name = "timer",
 		.kind = TS_KIND_COMMAND,
+		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Limits the wall time of runs",
 		.doc = "A run that reaches the limit ends after the current step in the same way as at its "
 		       "last step; later runs do nothing until the next `timer timeout`, so that a script can "

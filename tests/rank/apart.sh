@@ -38,37 +38,6 @@ E2
 	laws
 } >in.start
 
-# told FILE: what the program prints, without times and counts of ranks
-told() {
-	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first)|ns per particle|time \(%\)|^$' "$1"
-}
-
-# same_on NAME RANKS...: in.NAME tells and writes the same on each of these numbers of ranks as on one
-same_on() {
-	local name=$1 n
-	shift
-	"$TSIM" -in "in.$name" -log none -progress none -var n "${size:-8}" -var out one >one.out 2>&1
-	report "$name runs alone" $? one.out
-	told one.out >one.told
-	for n in "$@"; do
-		rm -f many.*
-		on_ranks "$n" "$TSIM" -in "in.$name" -log none -progress none -var n "${size:-8}" -var out many >many.out 2>&1 </dev/null
-		report "$name runs on $n ranks" $? many.out
-		told many.out >many.told
-		for file in told dump text; do
-			[ ! -f "one.$file" ] || same "$name: $file on $n ranks" "one.$file" "many.$file"
-		done
-	done
-	rm -f one.*
-}
-
-# gathered N...: how often all particles were gathered in each run
-gathered() {
-	grep -o 'all gathered [0-9]* times' many.out | awk '{ print $3 }' | tr '\n' ' ' >gathered
-	printf '%s ' "$@" | cmp - gathered
-	report "particles gathered in each run: $*" $? gathered
-}
-
 # The last line of all: a frame of the end.
 frame='dump end all custom 1 ${out}.dump id type x y z vx vy vz omegax omegay omegaz fx fy fz ix
 dump_modify end format float %.17g
@@ -99,7 +68,7 @@ E2
 	echo "$frame"
 } >in.rest
 same_on rest 2 3 4
-gathered 0 0 0 0 0 0 0 0 0 5
+gathered 0 0 0 0 0 0 0 0 0 4
 
 # Lines that need all particles, before runs that go on with those of each rank.
 {
@@ -158,13 +127,13 @@ reading() {
 }
 { reading; echo "$frame"; } >in.continued
 same_on continued 2 3 4
-gathered 0 5
+gathered 0 4
 { reading; echo "$frame"; } | sed 's/timestep.*/timestep 0.004/' >in.slower
 same_on slower 2 3
-gathered 0 5
+gathered 0 4
 { reading 'print "$(atoms) $(ke)"'; echo "$frame"; } >in.sums
 same_on sums 2
-gathered 0 5
+gathered 0 4
 { reading 'print "$(xcm(all,z)) $(mass(all)) $(vx[100])"'; echo "$frame"; } >in.look
 same_on look 2 3
 { reading 'thermo_modify lost warn' 'set type 1 density 1.2' 'write_data ${out}.text'; echo "$frame"; } >in.set
@@ -183,29 +152,14 @@ on_ranks 2 "$TSIM" -in in.file -log none -screen none -var n 8 >out 2>&1 </dev/n
 report 'two ranks write a restart file' $? out
 { reading; echo "$frame"; } | sed 's/start.restart/two.restart/' >in.two
 same_on two 3
-gathered 0 5
+gathered 0 4
 
-# most FILE RANKS N: the largest memory of a rank, in kB
-most() {
-	on_ranks "$2" /usr/bin/time -f %M -a -o kilobytes "$TSIM" -in "$1" -log none -screen none -var n "$3" >out 2>&1 </dev/null
-	sort -n kilobytes | tail -1
-	rm -f kilobytes
-}
-
-# most_bytes RANKS LIMIT: bytes of a particle in a rank that reads a restart file and does a step
-most_bytes() {
-	{ most in.step20 "$1" 20; most in.step60 "$1" 60; } >measured
-	awk -v limit="$2" 'NR == 1 { m = $1 } END { m = ($1 - m) * 1024 / (60^3 - 20^3); print m; exit !(m > 50 && m < limit) }' measured >compared
-	report "bytes of a particle on $1 ranks" $? compared
-	cat compared
-}
-[ -x /usr/bin/time ] || { finish; exit; }
-nm "$TSIM" 2>/dev/null | grep -q __asan_init && { finish; exit; }
+measures_memory || { finish; exit; }
 for n in 20 60; do
 	{ cat in.start; echo 'run 1'; echo "write_restart step$n.restart"; } >in.file
 	"$TSIM" -in in.file -log none -screen none -var n $n >out 2>&1
 	{ reading; } | sed "s/start.restart/step$n.restart/; s/^run .*/run 1/" >in.step$n
 done
-most_bytes 2 540
-most_bytes 4 320
+most_bytes 2 540 in.step20 in.step60
+most_bytes 4 320 in.step20 in.step60
 finish
