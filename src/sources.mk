@@ -1339,6 +1339,7 @@ library_sources = \
 	src/restart/command_write_restart_on_signal.c \
 	src/restart/data.h \
 	src/restart/data_apply.c \
+	src/restart/data_join.c \
 	src/restart/data_layout.c \
 	src/restart/data_read.c \
 	src/restart/data_write.c \

@@ -14,6 +14,7 @@
 #       8    rank/memory.sh                 rank/contract.sh
 #      25    rank/apart.sh                  rank/contract.sh
 #       8    rank/create.sh                 rank/contract.sh
+#       6    rank/read_data.sh              rank/contract.sh
 #       6    rank/timer.sh                  rank/contract.sh
 #      27    core/check_alloc               none: each allocation fails once
 #      14    script/check_unbreakable       script/check_script, script/mistakes.sh
@@ -87,6 +88,7 @@ slow_tests = \
 	tests/bench/race.sh \
 	tests/rank/apart.sh \
 	tests/rank/create.sh \
+	tests/rank/read_data.sh \
 	tests/rank/balance.sh \
 	tests/rank/contract_ranks.sh \
 	tests/rank/memory.sh \

@@ -209,6 +209,7 @@ shell_tests = \
 	tests/rank/pause.sh \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
+	tests/rank/read_data.sh \
 	tests/rank/soak.sh \
 	tests/rank/timer.sh \
 	tests/region/regions.sh \

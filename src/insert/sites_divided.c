@@ -42,8 +42,15 @@ static enum ts_status begin_division(struct tsim *sim, const struct ts_sites *si
 static enum ts_status send_sites(struct tsim *sim, struct ts_sites *sites)
 {
 	struct ts_new_rows rows = { sites->site, sites->n, sites->capacity, sizeof *sites->site };
-	enum ts_status status = ts_division_deliver(sim, &rows);
+	int32_t *to = ts_alloc(sites->n, sizeof *to);
+	enum ts_status status;
 
+	if (!to)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < sites->n; k++)
+		to[k] = ts_division_owner(sim, sites->site[k].x);
+	status = ts_division_send(sim, &rows, to);
+	ts_free(to);
 	sites->site = rows.row;
 	sites->n = rows.n;
 	sites->capacity = rows.capacity;

@@ -1,5 +1,6 @@
 #include "io/lines.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <string.h>
@@ -39,6 +40,42 @@ enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct 
 	return errno ? ts_textfile_open_failed(err, files, where, path) : ts_nomem(err);
 }
 
+/* The bytes that a file of gzip begins with. */
+static bool is_compressed(const char *bytes, size_t n)
+{
+	return n == 2 && (unsigned char)bytes[0] == 0x1f && (unsigned char)bytes[1] == 0x8b;
+}
+
+enum ts_status ts_lines_open_along(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
+				   struct ts_pool *pool, const struct ts_place *where, const char *path)
+{
+	FILE *along = NULL;
+	char start[2];
+	size_t n = 0;
+
+	if (ts_files_shared(files))
+		along = ts_files_open_along_of(files, path, where ? where->file : NULL);
+	if (along)
+		n = fread(start, 1, sizeof start, along);
+	if (!along || is_compressed(start, n)) {
+		if (along)
+			fclose(along);
+		return ts_lines_open(l, files, err, pool, where, path); /* it tells what is wrong */
+	}
+	if (init_lines(l, err, pool, path) == TS_OK)
+		l->buffer = ts_alloc(CHUNK, 1);
+	if (!l->buffer) {
+		fclose(along);
+		return ts_nomem(err);
+	}
+	l->files = files;
+	l->along = along;
+	l->chunk = l->buffer;
+	memcpy(l->buffer, start, n);
+	l->end = n;
+	return TS_OK;
+}
+
 enum ts_status ts_lines_memory(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
 			       const char *name, const char *bytes, size_t n)
 {
@@ -52,10 +89,20 @@ void ts_lines_close(struct ts_lines *l)
 {
 	if (l->gz)
 		gzclose(l->gz);
+	if (l->along)
+		fclose(l->along);
 	ts_free(l->buffer);
 	ts_free(l->line);
 	ts_free(l->word);
 	*l = (struct ts_lines){ 0 };
+}
+
+static enum ts_status read_along(struct ts_lines *l)
+{
+	l->end = fread(l->buffer, 1, CHUNK, l->along);
+	if (!l->end && ferror(l->along))
+		return ts_lines_fail(l, TS_IO, SIZE_MAX, "reading '%s' failed: %s", l->file, strerror(errno));
+	return TS_OK;
 }
 
 /* Reads the next chunk. At the end of a file that is cut off within its compressed data gzread reports no
@@ -66,12 +113,14 @@ static enum ts_status read_chunk(struct ts_lines *l)
 	const char *text;
 
 	l->at = l->end = 0;
-	if (!l->gz)
+	if (!l->gz && !l->along)
 		return TS_OK;
 	if (ts_files_stopped(l->files))
 		return ts_lines_fail(l, TS_STOPPED, SIZE_MAX, "stopped on request while '%s' was read",
 				     l->file);
 	errno = 0;
+	if (l->along)
+		return read_along(l);
 	got = gzread(l->gz, l->buffer, CHUNK);
 	text = gzerror(l->gz, &code);
 	if (l->may_be_torn && (code == Z_BUF_ERROR || code == Z_DATA_ERROR)) {
@@ -170,19 +219,22 @@ static enum ts_status split_words(struct ts_lines *l)
 	}
 }
 
+static enum ts_status split_line(struct ts_lines *l)
+{
+	while (l->length && strchr(" \t\r", l->line[l->length - 1]))
+		l->line[--l->length] = '\0';
+	if (l->length && memchr(l->line, '\0', l->length))
+		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX,
+				     "this is not a text file: the line contains a zero byte");
+	return split_words(l);
+}
+
 enum ts_status ts_lines_next(struct ts_lines *l, bool *more)
 {
 	l->nwords = 0;
 	TS_TRY(read_line(l, more));
 	l->number += *more;
-	while (*more && l->length && strchr(" \t\r", l->line[l->length - 1]))
-		l->line[--l->length] = '\0';
-	if (!*more)
-		return TS_OK;
-	if (l->length && memchr(l->line, '\0', l->length))
-		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX,
-				     "this is not a text file: the line contains a zero byte");
-	return split_words(l);
+	return *more ? split_line(l) : TS_OK;
 }
 
 enum ts_status ts_lines_next_filled(struct ts_lines *l, bool *more)
@@ -191,6 +243,25 @@ enum ts_status ts_lines_next_filled(struct ts_lines *l, bool *more)
 		TS_TRY(ts_lines_next(l, more));
 	while (*more && !l->nwords);
 	return TS_OK;
+}
+
+enum ts_status ts_lines_pass_filled(struct ts_lines *l, bool *more)
+{
+	l->nwords = 0;
+	l->comment = "";
+	for (;;) {
+		char first;
+
+		TS_TRY(read_line(l, more));
+		l->number += *more;
+		if (!*more)
+			return TS_OK;
+		first = l->line[strspn(l->line, BLANKS)];
+		if (isalpha((unsigned char)first))
+			return split_line(l);
+		if (first && first != '#')
+			return TS_OK;
+	}
 }
 
 /* The line before it was split, at most 1023 bytes, for messages. */

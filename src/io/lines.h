@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "base/files.h"
 #include "base/words.h"
@@ -18,7 +19,8 @@ struct ts_lines {
 	struct ts_error *err;
 	struct ts_pool *pool; /* for file names and lines in messages */
 	const char *file;     /* name, in the pool */
-	void *gz;	      /* gzFile; NULL: from memory */
+	void *gz;	      /* gzFile; NULL: from memory, or along */
+	FILE *along;	      /* of which no process has a copy; NULL: from memory, or gz */
 	struct ts_files *files;
 	double most_unfolded; /* limit of `unfolded` in bytes, base/input_limit.h */
 	size_t longest;	      /* limit of the length of a line in bytes */
@@ -42,6 +44,10 @@ struct ts_lines {
 /* Opens a file; `where` is the line of the script that names it. */
 enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
 			     struct ts_pool *pool, const struct ts_place *where, const char *path);
+/* The same for a large file that several processes read together, in pieces that each of them gets: they all read the same lines
+ * up to the same one. */
+enum ts_status ts_lines_open_along(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
+				   struct ts_pool *pool, const struct ts_place *where, const char *path);
 /* Reads from memory; `name` stands for the file in messages. The bytes must exist until ts_lines_close. */
 enum ts_status ts_lines_memory(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
 			       const char *name, const char *bytes, size_t n);
@@ -51,6 +57,10 @@ void ts_lines_close(struct ts_lines *l);
 enum ts_status ts_lines_next(struct ts_lines *l, bool *more);
 /* The same, skipping lines without words. */
 enum ts_status ts_lines_next_filled(struct ts_lines *l, bool *more);
+
+/* Passes the next line with words, as one that another process reads: it is not split, so that nwords is 0, unless it begins with a
+ * letter. */
+enum ts_status ts_lines_pass_filled(struct ts_lines *l, bool *more);
 
 /* Place of word k for messages; the whole line if there is no such word. */
 struct ts_place ts_lines_place(struct ts_lines *l, size_t k);

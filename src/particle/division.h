@@ -76,14 +76,16 @@ bool ts_division_can_make(const struct tsim *sim);
 /* Particles are to be made at the places of all ranks, of which this one knows x[n]: the division begins, if it has not, and
  * its blocks are cut for these. */
 enum ts_status ts_division_make(struct tsim *sim, double (*x)[3], size_t n);
-/* Then: what is to become particles, rows of `size` bytes that begin with three coordinates. Each rank gives those that it has to
- * the ranks of their blocks, and gets its own, in the order of the ranks that gave them. */
+/* Then: the rank of a particle that is made there. */
+int32_t ts_division_owner(const struct tsim *sim, const double x[3]);
+/* What is to become particles, rows of `size` bytes. */
 struct ts_new_rows {
 	void *row;
 	size_t n, capacity; /* of the memory, in rows */
 	size_t size;
 };
-enum ts_status ts_division_deliver(struct tsim *sim, struct ts_new_rows *rows);
+/* Sends each row to rank to[k]; those of this rank come in the order of the ranks that had them. */
+enum ts_status ts_division_send(struct tsim *sim, struct ts_new_rows *rows, const int32_t *to);
 /* Of rows that ranks have one after the other, of which this rank has n: how many come before these, and of all ranks. */
 enum ts_status ts_division_count(struct tsim *sim, size_t n, size_t *before, size_t *all);
 /* They have been made: where the blocks do not fit those of before, too, they are cut again. */

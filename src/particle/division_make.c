@@ -102,17 +102,15 @@ enum ts_status ts_division_count(struct tsim *sim, size_t n, size_t *before, siz
 	return TS_OK;
 }
 
-static enum ts_status pack_rows(const struct tsim *sim, const struct ts_new_rows *rows, struct ts_parcel *out)
+int32_t ts_division_owner(const struct tsim *sim, const double x[3])
 {
-	const struct ts_rank_blocks *blocks = &sim->particles->division->blocks;
+	return (int32_t)ts_rank_blocks_owner(&sim->particles->division->blocks, x);
+}
 
-	for (size_t k = 0; k < rows->n; k++) {
-		const void *row = (const char *)rows->row + k * rows->size;
-		double x[3];
-
-		memcpy(x, row, sizeof x);
-		TS_TRY(ts_parcel_add(&out[ts_rank_blocks_owner(blocks, x)], row, rows->size));
-	}
+static enum ts_status pack_rows(const struct ts_new_rows *rows, const int32_t *to, struct ts_parcel *out)
+{
+	for (size_t k = 0; k < rows->n; k++)
+		TS_TRY(ts_parcel_add(&out[to[k]], (const char *)rows->row + k * rows->size, rows->size));
 	return TS_OK;
 }
 
@@ -149,7 +147,7 @@ static enum ts_status unpack_rows(const struct tsim *sim, struct ts_new_rows *ro
 	return TS_OK;
 }
 
-enum ts_status ts_division_deliver(struct tsim *sim, struct ts_new_rows *rows)
+enum ts_status ts_division_send(struct tsim *sim, struct ts_new_rows *rows, const int32_t *to)
 {
 	const int ranks = sim->world->n;
 	struct ts_parcel *out = ts_alloc(2 * (size_t)ranks, sizeof *out);
@@ -157,7 +155,7 @@ enum ts_status ts_division_deliver(struct tsim *sim, struct ts_new_rows *rows)
 
 	if (!out)
 		return ts_nomem(&sim->error);
-	status = pack_rows(sim, rows, out);
+	status = pack_rows(rows, to, out);
 	if (status == TS_OK)
 		status = ts_world_deliver(sim->world, out, out + ranks);
 	for (int r = 0; r < ranks; r++)

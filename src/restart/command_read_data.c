@@ -1,11 +1,14 @@
 /* Command read_data: reads box and particles from a data file. */
+#include <inttypes.h>
 #include <math.h>
+#include <sys/stat.h>
 
 #include "bond/bond_reference.h"
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "core/life.h"
 #include "neigh/coincide.h"
+#include "particle/division.h"
 #include "particle/identity.h"
 #include "particle/user_columns.h"
 #include "restart/data.h"
@@ -72,6 +75,7 @@ static enum ts_status read_offset(struct tsim *sim, struct read_data *c)
 	return TS_OK;
 }
 
+/* Reads the file, or this rank's part of it. */
 static enum ts_status read_file(struct tsim *sim, const struct read_data *c, const struct ts_place *where,
 				struct ts_data *data)
 {
@@ -79,10 +83,44 @@ static enum ts_status read_file(struct tsim *sim, const struct read_data *c, con
 	struct ts_lines lines = { 0 };
 	enum ts_status status;
 
-	TS_TRY(ts_lines_open(&lines, &sim->files, &sim->error, sim->pool, where, c->file));
+	TS_TRY(ts_lines_open_along(&lines, &sim->files, &sim->error, sim->pool, where, c->file));
 	status = ts_data_read(sim, &lines, style ? style : "sphere", data);
 	ts_lines_close(&lines);
 	return status;
+}
+
+/* Whether each of several ranks can read a part of the file, which can be read again. */
+static bool can_read_parts(struct tsim *sim, const struct read_data *c)
+{
+	struct stat info;
+
+	return !c->add.n && !c->fix.n && ts_division_can_make(sim) && !sim->run.made &&
+	       ts_files_stat(&sim->files, c->file, &info) == 0 && S_ISREG(info.st_mode);
+}
+
+/* Whether it is an error in the text of the file. */
+static bool is_mistake(enum ts_status status)
+{
+	return status == TS_SYNTAX || status == TS_RANGE || status == TS_DAMAGED || status == TS_UNKNOWN;
+}
+
+/* Each of several ranks reads a part. Where that finds an error, all read all of it, and all find the first one. */
+static enum ts_status read_parts(struct tsim *sim, const struct read_data *c, const struct ts_place *where,
+				 struct ts_data *data)
+{
+	enum ts_status status;
+	bool ok = true;
+
+	data->part = sim->world->rank;
+	data->parts = sim->world->n;
+	status = read_file(sim, c, where, data);
+	if (status == TS_OK && data->parts)
+		status = ts_data_join(sim, data, &c->options, &ok);
+	if ((status == TS_OK && ok) || (status != TS_OK && !is_mistake(status)))
+		return status;
+	ts_error_clear(&sim->error);
+	ts_data_release(data);
+	return read_file(sim, c, where, data);
 }
 
 static enum ts_status refuse_repeated(struct tsim *sim, const struct ts_data *data)
@@ -133,16 +171,20 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 	return ts_bond_reference_complete(sim);
 }
 
-static enum ts_status apply_data(struct tsim *sim, struct read_data *c, const struct ts_data *data)
+static enum ts_status apply_data(struct tsim *sim, struct read_data *c, struct ts_data *data)
 {
 	struct ts_data_options *o = &c->options;
 
+	ts_data_append(sim, o);
+	if (!data->parts) /* else it has been checked */
+		TS_TRY(ts_data_check(sim, data, o));
 	TS_TRY(ts_data_apply(sim, data, o));
-	ts_log(&sim->log, "  orthogonal box = (%g %g %g) to (%g %g %g)\n  reading atoms ...\n  %zu atoms\n",
+	ts_log(&sim->log,
+	       "  orthogonal box = (%g %g %g) to (%g %g %g)\n  reading atoms ...\n  %" PRId64 " atoms\n",
 	       sim->domain->box.lo[0], sim->domain->box.lo[1], sim->domain->box.lo[2], sim->domain->box.hi[0],
-	       sim->domain->box.hi[1], sim->domain->box.hi[2], data->n);
+	       sim->domain->box.hi[1], sim->domain->box.hi[2], data->natoms);
 	if (data->moving)
-		ts_log(&sim->log, "  reading velocities ...\n  %zu velocities\n", data->n);
+		ts_log(&sim->log, "  reading velocities ...\n  %" PRId64 " velocities\n", data->natoms);
 	if (data->nbond_types)
 		TS_TRY(make_bonds(sim, data, o));
 	if (data->nbond)
@@ -214,7 +256,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	ts_log(&sim->log, "Reading data file ...\n");
 	status = register_sections(sim, c, &data);
 	if (status == TS_OK)
-		status = read_file(sim, c, where, &data);
+		status = can_read_parts(sim, c) ? read_parts(sim, c, where, &data)
+						: read_file(sim, c, where, &data);
 	if (status == TS_OK)
 		status = apply_data(sim, c, &data);
 	if (status == TS_OK && data.nsections)

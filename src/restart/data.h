@@ -59,15 +59,27 @@ struct ts_data_section {
 	bool seen; /* the section was read */
 };
 
-/* Contents of a data file. Zero-initialise, except for the sections of fixes. */
+/* A line of section Velocities, where the particle may be one of another rank. */
+struct ts_data_motion {
+	double v[3], omega[3];
+	int32_t tag;
+};
+
+/* Contents of a data file. Zero-initialise, except for the sections of fixes, part and parts. */
 struct ts_data {
 	const char *file;
+	/* Several ranks: this one reads part `part` of so many of the lines of Atoms and Velocities, if what else there is allows it.
+	 * 0 parts: all of them. */
+	int part, parts;
+	bool failed; /* a line of this part has an error: who reads all lines says which */
 	int64_t natoms, nbonds, ntypes, nbond_types; /* from the header */
 	double lo[3], hi[3];			     /* box (length) */
 	struct ts_data_layout layout;
 	struct ts_data_atom *atom; /* [n] in the order of the file */
 	size_t n, capacity;
-	bool moving; /* there is a section Velocities */
+	bool moving;		       /* there is a section Velocities */
+	struct ts_data_motion *motion; /* [nmotion] of parts */
+	size_t nmotion, motion_capacity;
 	struct ts_data_bond *bond;
 	size_t nbond, bond_capacity;
 	struct ts_data_coeff *coeff;
@@ -91,9 +103,13 @@ struct ts_data_options {
 	double shift[3]; /* added to positions and to the box (length) */
 	int group;	 /* index; 0: all */
 };
-/* Creates box and particles. With TS_DATA_APPEND the largest existing id is added to options->tag_offset,
- * which the caller needs for the bonds. */
-enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data, struct ts_data_options *options);
+/* With TS_DATA_APPEND adds the largest present id to options->tag_offset. */
+void ts_data_append(const struct tsim *sim, struct ts_data_options *options);
+/* Finds all errors in what would be entered. */
+enum ts_status ts_data_check(struct tsim *sim, const struct ts_data *data,
+			     const struct ts_data_options *options);
+/* Creates box and particles, which have been checked. */
+enum ts_status ts_data_apply(struct tsim *sim, struct ts_data *data, const struct ts_data_options *options);
 
 /* Numbers of bonds and bond types for the header; the caller writes their sections. */
 struct ts_data_counts {
@@ -106,5 +122,12 @@ enum ts_status ts_data_write_columns(struct tsim *sim, struct ts_textfile *out,
 				     const struct ts_user_columns *columns);
 /* Writes the header and the sections Atoms and Velocities. */
 enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct ts_data_counts counts);
+
+/* ---- a file of which each of several ranks has read a part */
+
+/* Brings the lines of each particle together, on some rank, and finds errors. *ok: false, on all ranks: there are some, which who reads
+ * all lines describes. */
+enum ts_status ts_data_join(struct tsim *sim, struct ts_data *data, const struct ts_data_options *options,
+			    bool *ok);
 
 #endif

@@ -4,7 +4,9 @@
 #include <stdio.h>
 
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "particle/columns.h"
+#include "particle/division.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
@@ -111,13 +113,60 @@ static void set_atom(struct tsim *sim, const struct ts_data *data, const struct 
 		p->max_tag = p->tag[i];
 }
 
-static bool has_rotation(const struct ts_data *data)
+static bool has_rotation(const struct tsim *sim, const struct ts_data *data)
 {
+	bool has = false;
+
 	for (size_t k = 0; k < data->n; k++)
 		for (int d = 0; d < 3; d++)
-			if (data->atom[k].omega[d] != 0)
-				return true;
-	return false;
+			has |= data->atom[k].omega[d] != 0;
+	return ts_ranks_most(sim, has) > 0;
+}
+
+/* Where the particle is, in a periodic box. */
+static void find_place(const struct tsim *sim, const struct ts_data_atom *a, const double shift[3],
+		       double x[3])
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int d = 0; d < 3; d++) {
+		int32_t turns = 0;
+
+		x[d] = a->x[d] + shift[d];
+		if (ts_box_periodic(box, d))
+			(void)ts_box_wrap(box, d, &x[d], &turns);
+	}
+}
+
+/* Each rank has some of the particles: gives them to the ranks of their places. */
+static enum ts_status send_atoms(struct tsim *sim, struct ts_data *data, double (*x)[3], int32_t *to)
+{
+	struct ts_new_rows rows = { data->atom, data->n, data->capacity, sizeof *data->atom };
+	enum ts_status status = ts_division_make(sim, x, data->n);
+
+	for (size_t k = 0; status == TS_OK && k < data->n; k++)
+		to[k] = ts_division_owner(sim, x[k]);
+	if (status == TS_OK)
+		status = ts_division_send(sim, &rows, to);
+	data->atom = rows.row;
+	data->n = rows.n;
+	data->capacity = rows.capacity;
+	return status;
+}
+
+static enum ts_status divide_atoms(struct tsim *sim, struct ts_data *data, const double shift[3])
+{
+	double(*x)[3] = ts_alloc(data->n, sizeof *x);
+	int32_t *to = ts_alloc(data->n, sizeof *to);
+	enum ts_status status = x && to ? TS_OK : ts_nomem(&sim->error);
+
+	for (size_t k = 0; status == TS_OK && k < data->n; k++)
+		find_place(sim, &data->atom[k], shift, x[k]);
+	if (status == TS_OK)
+		status = send_atoms(sim, data, x, to);
+	ts_free(x);
+	ts_free(to);
+	return status;
 }
 
 static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
@@ -127,39 +176,67 @@ static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
 	int32_t max_tag = p->max_tag;
 	size_t first;
 
-	if (has_rotation(data))
+	if (has_rotation(sim, data))
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
 	TS_TRY(ts_particles_add(sim, data->n, &first));
 	p->max_tag = max_tag; /* ids are those of the file */
 	for (size_t k = 0; k < data->n; k++)
 		set_atom(sim, data, &data->atom[k], o, first + k);
+	p->max_tag = (int32_t)ts_ranks_most(sim, p->max_tag);
 	ts_particles_inverse_mass(p);
 	return TS_OK;
 }
 
-enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data, struct ts_data_options *o)
-{
-	struct ts_domain *domain = sim->domain;
-	struct ts_domain wanted = *domain;
-	struct ts_particles *p = sim->particles;
-	bool new = !sim->has_box;
-	int ntypes = new ? (int)(data->ntypes + o->extra_types) : p->ntypes;
+/* The box with that of the file, and the number of types. */
+struct wanted {
+	struct ts_domain domain;
+	int ntypes;
+};
 
-	if (o->add == TS_DATA_APPEND)
-		o->tag_offset += p->max_tag;
+static struct wanted find_wanted(const struct tsim *sim, const struct ts_data *data,
+				 const struct ts_data_options *o)
+{
+	const bool new = !sim->has_box;
+	struct wanted w = { *sim->domain, sim->particles->ntypes };
+
+	if (new)
+		w.ntypes = (int)(data->ntypes + o->extra_types);
 	for (int d = 0; d < 3 && new; d++) {
-		wanted.box.lo[d] = wanted.first_lo[d] = data->lo[d] + o->shift[d];
-		wanted.box.hi[d] = wanted.first_hi[d] = data->hi[d] + o->shift[d];
+		w.domain.box.lo[d] = w.domain.first_lo[d] = data->lo[d] + o->shift[d];
+		w.domain.box.hi[d] = w.domain.first_hi[d] = data->hi[d] + o->shift[d];
 	}
 	if (!o->keep_box)
-		extend_box(data, o->shift, &wanted);
-	TS_TRY(check_atoms(sim, data, &wanted.box, ntypes, o));
-	if (new)
-		TS_TRY(ts_particles_make_box(sim, ntypes, wanted.box.lo, wanted.box.hi, NULL));
+		extend_box(data, o->shift, &w.domain);
+	return w;
+}
+
+void ts_data_append(const struct tsim *sim, struct ts_data_options *o)
+{
+	if (o->add == TS_DATA_APPEND)
+		o->tag_offset += sim->particles->max_tag;
+}
+
+enum ts_status ts_data_check(struct tsim *sim, const struct ts_data *data, const struct ts_data_options *o)
+{
+	const struct wanted w = find_wanted(sim, data, o);
+
+	return check_atoms(sim, data, &w.domain.box, w.ntypes, o);
+}
+
+enum ts_status ts_data_apply(struct tsim *sim, struct ts_data *data, const struct ts_data_options *o)
+{
+	const struct wanted w = find_wanted(sim, data, o);
+	struct ts_particles *p = sim->particles;
+
+	if (!sim->has_box)
+		TS_TRY(ts_particles_make_box(sim, w.ntypes, w.domain.box.lo, w.domain.box.hi, NULL));
 	else
-		*domain = wanted;
+		*sim->domain = w.domain;
 	for (int64_t t = 1; data->mass && t <= data->ntypes; t++)
-		if (t + o->type_offset >= 1 && t + o->type_offset <= ntypes)
+		if (t + o->type_offset >= 1 && t + o->type_offset <= w.ntypes)
 			p->type_mass[t + o->type_offset] = data->mass[t];
-	return make_atoms(sim, data, o);
+	if (data->parts)
+		TS_TRY(divide_atoms(sim, data, o->shift));
+	TS_TRY(make_atoms(sim, data, o));
+	return data->parts ? ts_division_made(sim) : TS_OK;
 }

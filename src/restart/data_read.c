@@ -301,11 +301,13 @@ static int compare_atoms(const void *a, const void *b)
 	return (p->tag > q->tag) - (p->tag < q->tag);
 }
 
-/* Sorts the particles by id; an id that occurs twice is an error. */
+/* Sorts the particles by id; an id that occurs twice is an error. Of parts: data_join.c. */
 static enum ts_status sort_atoms(struct reader *r)
 {
 	struct ts_data *d = r->d;
 
+	if (d->parts)
+		return TS_OK;
 	r->by_tag = ts_arena_alloc(&d->arena, d->n + 1, sizeof(struct ts_data_atom *));
 	if (!r->by_tag)
 		return ts_nomem(&r->sim->error);
@@ -345,18 +347,40 @@ static enum ts_status find_atom(struct reader *r, size_t k, const char *what, in
 	return TS_OK;
 }
 
-static enum ts_status read_velocity(struct reader *r)
+static enum ts_status read_motion(struct reader *r, double v[3], double omega[3])
 {
 	static const char *const names[] = { "vx", "vy", "vz", "omegax", "omegay", "omegaz" };
 	size_t n = r->d->layout.sized ? 6 : 3;
+
+	for (size_t k = 0; k < n; k++)
+		TS_TRY(ts_lines_real(r->l, k + 1, names[k], k < 3 ? &v[k] : &omega[k - 3]));
+	return check_length(r, n + 1);
+}
+
+static enum ts_status read_motion_apart(struct reader *r)
+{
+	struct ts_data *d = r->d;
+	struct ts_data_motion *motion;
+	int64_t number;
+
+	if (TS_GROW(d->motion, d->motion_capacity, d->nmotion + 1) != TS_OK)
+		return ts_nomem(&r->sim->error);
+	motion = &d->motion[d->nmotion++];
+	*motion = (struct ts_data_motion){ 0 };
+	TS_TRY(ts_lines_int(r->l, 0, "id", 1, LARGEST_TAG, &number));
+	motion->tag = (int32_t)number;
+	return read_motion(r, motion->v, motion->omega);
+}
+
+static enum ts_status read_velocity(struct reader *r)
+{
 	struct ts_data_atom *a;
 	int32_t tag;
 
+	if (r->d->parts)
+		return read_motion_apart(r);
 	TS_TRY(find_atom(r, 0, "id", &tag, &a));
-	for (size_t k = 0; k < n; k++)
-		TS_TRY(ts_lines_real(r->l, k + 1, names[k], k < 3 ? &a->v[k] : &a->omega[k - 3]));
-	r->d->moving = true;
-	return check_length(r, n + 1);
+	return read_motion(r, a->v, a->omega);
 }
 
 static enum ts_status read_bond(struct reader *r)
@@ -428,28 +452,29 @@ struct section {
 	enum ts_status (*line)(struct reader *r);     /* reads a line; NULL: not supported */
 	int64_t (*expected)(const struct ts_data *d); /* number of lines */
 	bool after_atoms;
+	bool in_parts; /* each of several ranks reads a part of the lines */
 };
 
 static const struct section sections[] = {
-	{ "Atoms", read_atom, expected_atoms, false },
-	{ "Velocities", read_velocity, expected_atoms, true },
-	{ "Bonds", read_bond, expected_bonds, true },
-	{ "Masses", read_mass, expected_types, false },
-	{ "Pair Coeffs", read_pair_coeff, expected_types, false },
-	{ "PairIJ Coeffs", read_pair_ij_coeff, expected_pairs, false },
-	{ "Bond Coeffs", read_bond_coeff, expected_bond_types, false },
-	{ "Angles", NULL, NULL, false },
-	{ "Dihedrals", NULL, NULL, false },
-	{ "Impropers", NULL, NULL, false },
-	{ "Angle Coeffs", NULL, NULL, false },
-	{ "Dihedral Coeffs", NULL, NULL, false },
-	{ "Improper Coeffs", NULL, NULL, false },
-	{ "Ellipsoids", NULL, NULL, false },
-	{ "Lines", NULL, NULL, false },
-	{ "Triangles", NULL, NULL, false },
-	{ "Bodies", NULL, NULL, false },
-	{ "Atom Type Labels", NULL, NULL, false },
-	{ "Bond Type Labels", NULL, NULL, false },
+	{ "Atoms", read_atom, expected_atoms, false, true },
+	{ "Velocities", read_velocity, expected_atoms, true, true },
+	{ "Bonds", read_bond, expected_bonds, true, false },
+	{ "Masses", read_mass, expected_types, false, false },
+	{ "Pair Coeffs", read_pair_coeff, expected_types, false, false },
+	{ "PairIJ Coeffs", read_pair_ij_coeff, expected_pairs, false, false },
+	{ "Bond Coeffs", read_bond_coeff, expected_bond_types, false, false },
+	{ "Angles", NULL, NULL, false, false },
+	{ "Dihedrals", NULL, NULL, false, false },
+	{ "Impropers", NULL, NULL, false, false },
+	{ "Angle Coeffs", NULL, NULL, false, false },
+	{ "Dihedral Coeffs", NULL, NULL, false, false },
+	{ "Improper Coeffs", NULL, NULL, false, false },
+	{ "Ellipsoids", NULL, NULL, false, false },
+	{ "Lines", NULL, NULL, false, false },
+	{ "Triangles", NULL, NULL, false, false },
+	{ "Bodies", NULL, NULL, false, false },
+	{ "Atom Type Labels", NULL, NULL, false, false },
+	{ "Bond Type Labels", NULL, NULL, false, false },
 };
 enum { NSECTIONS = sizeof sections / sizeof *sections };
 
@@ -485,24 +510,48 @@ static enum ts_status choose_layout(struct reader *r)
 							       .place = ts_lines_place(r->l, SIZE_MAX) });
 }
 
+/* The lines that this rank reads. */
+static int64_t first_own(const struct ts_data *d, const struct section *s, int64_t wanted, int64_t *end)
+{
+	const bool parts = d->parts && s->in_parts;
+
+	*end = parts ? wanted * (d->part + 1) / d->parts : wanted;
+	return parts ? wanted * d->part / d->parts : 0;
+}
+
+/* All ranks read up to the same line: one that finds an error in a line of its part goes on, and passes the others. */
+static enum ts_status read_own(struct reader *r, const struct section *s)
+{
+	const enum ts_status status = s->line(r);
+
+	if (status == TS_OK || status == TS_NOMEM || !(r->d->parts && s->in_parts))
+		return status;
+	ts_error_clear(&r->sim->error);
+	r->d->failed = true;
+	return TS_OK;
+}
+
 static enum ts_status read_lines(struct reader *r, const struct section *s)
 {
-	int64_t wanted = s->expected(r->d);
+	int64_t wanted = s->expected(r->d), end, first = first_own(r->d, s, wanted, &end);
 
 	for (int64_t k = 0; k < wanted; k++) {
-		TS_TRY(ts_lines_next_filled(r->l, &r->more));
+		const bool own = k >= first && k < end && !r->d->failed;
+
+		TS_TRY(own ? ts_lines_next_filled(r->l, &r->more) : ts_lines_pass_filled(r->l, &r->more));
 		if (!r->more)
 			return ts_lines_fail(r->l, TS_DAMAGED, SIZE_MAX,
 					     "the file ends after %" PRId64 " of %" PRId64
 					     " lines of section %s",
 					     k, wanted, s->title);
-		for (int other = 0; other < NSECTIONS; other++)
+		for (int other = 0; other < NSECTIONS && r->l->nwords; other++)
 			if (ts_lines_match(r->l, 0, sections[other].title))
 				return ts_lines_fail(r->l, TS_DAMAGED, 0,
 						     "section %s begins, but section %s has only %" PRId64
 						     " of %" PRId64 " lines",
 						     sections[other].title, s->title, k, wanted);
-		TS_TRY(s->line(r));
+		if (own)
+			TS_TRY(read_own(r, s));
 	}
 	return TS_OK;
 }
@@ -551,6 +600,7 @@ static enum ts_status read_section(struct reader *r, unsigned *seen)
 	if (s == sections)
 		TS_TRY(choose_layout(r));
 	TS_TRY(read_lines(r, s));
+	r->d->moving |= s->line == read_velocity && r->d->natoms;
 	return s == sections ? sort_atoms(r) : TS_OK;
 }
 
@@ -561,6 +611,8 @@ enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char
 
 	out->file = lines->file;
 	TS_TRY(read_header(&r));
+	if (out->nbonds || out->nbond_types || out->nsections)
+		out->parts = 0;
 	while (r.more) {
 		TS_TRY(read_section(&r, &seen));
 		TS_TRY(ts_lines_next_filled(lines, &r.more));
@@ -575,6 +627,7 @@ enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char
 void ts_data_release(struct ts_data *d)
 {
 	ts_free(d->atom);
+	ts_free(d->motion);
 	ts_free(d->bond);
 	ts_free(d->coeff);
 	for (size_t k = 0; k < d->nsections; k++)
