@@ -3,7 +3,7 @@
 # tests/house/quick.sh fails where a name is not that of a test.
 #
 #   seconds  test                           quick tests of the same subject
-#     175    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
+#     110    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
 #      50    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      10    rank/balance.sh                rank/check_loads
