@@ -44,7 +44,7 @@
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
 #       8    house/dist.sh                  library/check_library
 #       5    house/install.sh               library/check_library
-#      33    manual/book.sh                 manual/links.sh
+#      25    manual/book.sh                 manual/links.sh
 #      14    manual/first_hour.sh           mesh/mesh_primitive.sh
 #       4    coupling/momentum.sh           coupling/check_coupling
 long_tests = \

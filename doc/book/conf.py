@@ -361,10 +361,18 @@ def title_only(toc):
     return toc
 
 
+def way_only(toc, pages):
+    toc = toc.deepcopy()
+    for tree in toc.findall(addnodes.toctree):
+        tree["entries"] = [entry for entry in tree["entries"] if entry[1] in pages]
+        tree["includefiles"] = [name for name in tree["includefiles"] if name in pages]
+    return toc
+
+
 def quick_navigation(app, page, template, context, doctree):
-    """The list of pages beside each page shows the titles of all but this one and those above it. Sphinx copies what each of
-    these pages contains before it leaves that out, which is most of the time of a book with hundreds of pages: here it gets
-    titles to copy."""
+    """The list of pages beside each page shows the titles of those in the list of the book, and marks the one that leads here.
+    Sphinx copies what each of these pages contains, and the pages of their lists, before it leaves that out, which is most of
+    the time of a book with hundreds of pages: here it gets titles to copy, and the way to this page."""
     render = context.get("toctree")
     if not render:
         return
@@ -375,7 +383,8 @@ def quick_navigation(app, page, template, context, doctree):
         whole = app.env.tocs
         if words.get("collapse"):
             above = TocTree(app.env).get_toctree_ancestors(page)
-            app.env.tocs = {**app.page_titles, **{name: whole[name] for name in above}}
+            way = {name: way_only(whole[name], above) for name in above if name != app.config.root_doc}
+            app.env.tocs = {**app.page_titles, **way, app.config.root_doc: whole[app.config.root_doc]}
         try:
             return render(**words)
         finally:

@@ -28,6 +28,10 @@ grep -q 'href="styles/fix_gravity.html"' good/page.html
 report 'a style that is named is a link' $? good/page.html
 grep -q '^"styles/fix_gravity": "fix gravity ' good/searchtexts.js && grep -q '^"page": "Page As fix gravity does' good/searchtexts.js
 report 'the search has the texts of all pages' $? good/searchtexts.js
+sed -n '/class="sphinxsidebar"/,$p' good/styles/fix_nve.html >beside
+grep -q 'toctree-l1 current"><a class="reference internal" href="index.html">Styles<' beside &&
+	grep -q 'toctree-l1"><a class="reference internal" href="../page.html">Page<' beside
+report 'the list of pages beside each page marks the one that leads to it' $? beside
 printf '\nSee [nothing](nothing.md).\n' >>small/page.md
 ! book small bad
 report 'a dead link is an error' $? log
