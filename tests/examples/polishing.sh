@@ -46,7 +46,7 @@ slurry 'rough pad, full equations' \
 	'cfd.falls.with.speed cfd.part.below.ambient cfd.ratio.of.64.and.16 cfd.correlation.with.film' -var model cfd -var settle 24
 # -check does not know the lists that results of a run are, nor their lengths; it knows others
 for model in film smooth cfd; do
-	"$TSIM" -check -in in.slurry -var model $model >out 2>&1
+	"$TSIM" -check -in in.slurry -var model $model -var M 2 -var pads 2 >out 2>&1
 	report "-check of the slurry: $model" $? out
 done
 cat >in.lists <<'END'
