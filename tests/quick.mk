@@ -38,7 +38,7 @@
 #       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
 #      12    examples/scratch.sh            bond/check_element, bond/parallel.sh
 #      48    examples/everyday.sh           mesh/mesh_primitive.sh, shape/check_shapes
-#      24    examples/rock.sh               bond/check_element, bond/parallel.sh
+#      20    examples/rock.sh               bond/check_element, bond/parallel.sh
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
