@@ -53,7 +53,18 @@ long_tests = \
 	tests/examples/everyday.sh \
 	tests/rank/ranks.sh \
 	tests/restart/restart_every.sh \
-	tests/manual/book.sh
+	tests/rank/soak.sh \
+	tests/crosscheck/space.sh \
+	tests/core/check_alloc$(EXEEXT) \
+	tests/manual/book.sh \
+	tests/rank/apart.sh \
+	tests/examples/rock.sh \
+	tests/rank/pause.sh \
+	tests/house/dist.sh \
+	tests/script/check_unbreakable$(EXEEXT) \
+	tests/examples/erosion.sh \
+	tests/manual/first_hour.sh \
+	tests/crosscheck/refusals.sh
 crosschecks = $(filter tests/crosscheck/%,$(shell_tests))
 slow_tests = \
 	$(crosschecks) \
