@@ -4,7 +4,7 @@
 #
 #   seconds  test                           quick tests of the same subject
 #     110    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
-#      48    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
+#      40    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
 #      50    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      10    rank/balance.sh                rank/check_loads
 #     120    rank/contract_ranks.sh         rank/contract.sh

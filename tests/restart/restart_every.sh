@@ -17,13 +17,13 @@ part() {
 	report "$name: $1" $? "$1/err"
 }
 
-# What a file holds: without the titles that each part writes.
+# content FILE...: what those of them that are there hold, all of one kind; without the titles that each part writes.
 content() {
 	case $1 in
-	*.gz) gunzip -c "$1" ;;
-	*.png | *.ppm) cat "$1" ;;
-	*) grep -v '^#' "$1" ;;
-	esac
+	*.gz) gunzip -c "$@" ;;
+	*.png | *.ppm) cat "$@" ;;
+	*) grep -hv '^#' "$@" ;;
+	esac 2>/dev/null
 }
 
 compare() { # STEP
@@ -33,13 +33,8 @@ compare() { # STEP
 		case $file in
 		in | deck | err | log | *.restart | *.pvd | *.series | *.obj) continue ;;
 		esac
-		for side in whole one two; do
-			[ -e $side/$file ] && content $side/$file
-		done >/dev/null
 		content "whole/$file" >expected
-		for side in one two; do
-			[ ! -e "$side/$file" ] || content "$side/$file"
-		done >found
+		content {one,two}/"$file" >found
 		[ -s expected ] && same "$name: $file" expected found
 	done
 	same "$name: the state at the end" whole/end.restart two/end.restart
@@ -55,14 +50,14 @@ cut() {
 	shift
 	options=("$@")
 	rm -rf whole && mkdir whole
-	python3 "$top_srcdir/tests/split_deck.py" "$deck" 0 0 whole/deck none
+	python3 -IS "$top_srcdir/tests/split_deck.py" "$deck" 0 0 whole/deck none
 	part whole 1
 	mapfile -t lengths < <(sed -n 's/^Loop time of .* for \([0-9]*\) steps .*/\1/p' whole/log)
 	for ((k = 0; k < ${CUTS:-2}; k++)); do
 		run=$((RANDOM % ${#lengths[@]}))
 		steps=$((RANDOM % (${lengths[run]} + 1)))
 		rm -rf one two && mkdir one two
-		python3 "$top_srcdir/tests/split_deck.py" "$deck" $((run + 1)) $steps one/deck two/deck
+		python3 -IS "$top_srcdir/tests/split_deck.py" "$deck" $((run + 1)) $steps one/deck two/deck
 		part one 1
 		cp one/cut.restart two
 		part two 2
