@@ -7,45 +7,64 @@ needs lmp lammps
 needs liggghts
 needs /usr/bin/python3 python3
 
-# rows PROGRAM: id type x y z of the last dump, sorted, into PROGRAM.rows
-rows_of() {
-	sed '1,/ITEM: ATOMS/d' "$1.dump" | sort -n >"$1.rows"
-}
-
-# equal WHAT: both programs' rows, to 1e-12 of the largest of the column
-equal() {
-	/usr/bin/python3 - <<'END' >off 2>&1
-a, b = ([tuple(map(float, l.split())) for l in open(f + '.rows')] for f in ('other', 'tsim'))
-assert len(a) == len(b) > 0, (len(a), len(b))
-size = [max(map(abs, column)) for column in zip(*a)]
-off = max((abs(u - v) / s for x, y in zip(a, b) for u, v, s in zip(x, y, size) if u != v), default=0)
-assert off < 1e-12, off
-END
-	report "$1" $? off
-}
-
-# lammps WHAT DIMENSION BOUNDARY UNITS BOX SCRIPT
+# lammps WHAT DIMENSION BOUNDARY UNITS BOX SCRIPT: a case, in a folder of its own, run by tsim
+cases=0
 lammps() {
-	rm -f ./*.dump
+	cases=$((cases + 1))
+	mkdir $cases
+	echo "$1" >$cases/what
 	printf '%s\n' "units $4" "dimension $2" 'atom_style sphere' "boundary $3" "region box block $5 units box" \
 		'create_box 3 box' "$6" >in.script
 	{
+		echo clear
 		cat in.script
-		echo 'write_dump all custom other.dump id type x y z modify format float %.17g sort id'
-	} >in.other
+		echo "write_dump all custom $cases/other.dump id type x y z modify format float %.17g sort id"
+	} >>in.other
 	{
 		cat in.script
-		echo 'dump d all custom 1 tsim.dump id type x y z'
+		echo "dump d all custom 1 $cases/tsim.dump id type x y z"
 		echo 'dump_modify d sort id format line "%d %d %.17g %.17g %.17g"'
 		echo 'run 0'
 	} >in.tsim
-	lmp -in in.other -log none >out 2>&1
-	report "$1: LAMMPS" $? out
 	"$TSIM" -in in.tsim -log none >out 2>&1
 	report "$1: tsim" $? out
-	rows_of other
-	rows_of tsim
-	equal "$1"
+}
+
+# all cases by one LAMMPS, whose start takes longer than a case: particles of both programs, to 1e-12 of the largest of the column
+compare() {
+	lmp -in in.other -log none >out 2>&1
+	report 'LAMMPS runs all cases' $? out
+	/usr/bin/python3 - "$cases" <<'END' >off 2>&1
+import sys
+
+
+def rows(path):
+    lines = open(path).read().split('\n')
+    lines = lines[[line.startswith('ITEM: ATOMS') for line in lines].index(True) + 1:]
+    return sorted(tuple(map(float, line.split())) for line in lines if line)
+
+
+def difference(case):
+    a, b = rows(case + '/other.dump'), rows(case + '/tsim.dump')
+    assert len(a) == len(b) > 0, (len(a), len(b))
+    size = [max(map(abs, column)) for column in zip(*a)]
+    return max((abs(u - v) / s for x, y in zip(a, b) for u, v, s in zip(x, y, size) if u != v), default=0)
+
+
+for case in map(str, range(1, int(sys.argv[1]) + 1)):
+    what = open(case + '/what').read().strip()
+    try:
+        off = difference(case)
+        print('same' if off < 1e-12 else 'off', off, what)
+    except (OSError, ValueError, AssertionError) as error:
+        print('off', repr(error), what)
+END
+	[ "$(wc -l <off)" = $cases ] && [ $cases -gt 80 ]
+	report 'all cases are compared' $? off
+	while read -r verdict rest; do
+		[ "$verdict" = same ]
+		report "$rest" $?
+	done <off
 }
 box='-1.03 2.11 -0.7 1.9 -0.5 2.3'
 plane='0 2 0 2 -0.05 0.05'
@@ -129,6 +148,8 @@ END
 lammps 'rotate' 3 'p p p' si "$box" 'create_atoms 1 single 0.5 1.5 2 units box
 create_atoms 2 single 1.9 1.7 2.2 units box
 displace_atoms all rotate 1 1 1 1 2 3 30 units box'
+
+compare
 
 # wedges
 for words in 'axis x' 'axis y' 'axis z'; do
