@@ -245,6 +245,12 @@ enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct 
 /* Appends the argument as written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
 void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);
 
+/* For integers that are words of a style, as TS_CUT for rows: reads an integer, or the whole part of a number such
+ * as 333333.333333333, a time divided by the time step, with a warning: "fix insert/pack: insert_every is 10.7, no
+ * integer: 10 is taken, as in LIGGGHTS". */
+bool ts_arg_whole_part(const struct ts_instance *self, struct tsim *sim, const char *name, const char *text,
+		       int64_t *out);
+
 /* n, *, n*, *m or n*m */
 bool ts_parse_types(const char *text, struct ts_types *out);
 

@@ -75,32 +75,48 @@ enum ts_status ts_arg_read_real(struct ts_parse *p, const struct ts_arg *row, do
 	return check_range(p, row, word, *out);
 }
 
-/* The whole part of 333333.333333333, as of a time divided by the time step; no exponents, which LIGGGHTS cuts
- * off as well: there 1e5 is 1. */
-static bool cut_fraction(struct ts_parse *p, const struct ts_arg *row, const struct ts_word *word,
-			 int64_t *out)
+/* Digits, a point, digits; no exponents, which LIGGGHTS cuts off as well: there 1e5 is 1. */
+static bool cut_fraction(const char *text, char head[20], int64_t *out)
 {
-	size_t whole = strspn(word->text, "0123456789");
+	size_t whole = strspn(text, "0123456789");
+
+	if (whole >= 20 || text[whole] != '.' || text[whole + 1 + strspn(text + whole + 1, "0123456789")])
+		return false;
+	memcpy(head, text, whole);
+	return ts_parse_int(head, out);
+}
+
+static bool read_whole_part(struct tsim *sim, const char *what, const char *name, const char *text,
+			    const struct ts_place *where, int64_t *out)
+{
 	char head[20] = "";
 
-	if (!(row->flags & TS_CUT) || whole >= sizeof head || word->text[whole] != '.' ||
-	    word->text[whole + 1 + strspn(word->text + whole + 1, "0123456789")])
+	if (ts_parse_int(text, out))
+		return true;
+	if (!cut_fraction(text, head, out))
 		return false;
-	memcpy(head, word->text, whole);
-	if (!ts_parse_int(head, out))
-		return false;
-	ts_warn(&p->sim->log, &word->place, "%s: %s is %s, no integer: %s is taken, as in LIGGGHTS", p->what,
-		row->name, word->text, head);
+	ts_warn(&sim->log, where, "%s: %s is %s, no integer: %s is taken, as in LIGGGHTS", what, name, text,
+		head);
 	return true;
+}
+
+bool ts_arg_whole_part(const struct ts_instance *self, struct tsim *sim, const char *name, const char *text,
+		       int64_t *out)
+{
+	char what[80];
+
+	snprintf(what, sizeof what, "%s %s", ts_kind_name(self->style->kind), self->style->name);
+	return read_whole_part(sim, what, name, text, ts_instance_word(self, text), out);
 }
 
 enum ts_status ts_arg_read_int(struct ts_parse *p, const struct ts_arg *row, int64_t *out)
 {
 	const struct ts_word *word = ts_arg_next_word(p);
+	bool read = word && (row->flags & TS_CUT ? read_whole_part(p->sim, p->what, row->name, word->text,
+								   &word->place, out)
+						 : ts_parse_int(word->text, out));
 
-	if (word && cut_fraction(p, row, word, out))
-		return check_range(p, row, word, (double)*out);
-	if (!word || !ts_parse_int(word->text, out))
+	if (!read)
 		return ts_arg_refuse(p, row, word, "an integer");
 	return check_range(p, row, word, (double)*out);
 }
@@ -150,7 +166,7 @@ enum ts_status ts_arg_read_enum(struct ts_parse *p, const struct ts_arg *row, in
 	for (int k = 0; word && row->choices[k]; k++)
 		ts_suggest_try(&suggest, row->choices[k]);
 	remark = word ? ts_unsupported_word_remark(row->name, word->text) : NULL;
-	ts_str_add(&expected, "one of ");
+	ts_str_add(&expected, row->choices[0] && row->choices[1] ? "one of " : "");
 	append_choices(row->choices, &expected);
 	if (remark)
 		ts_str_addf(&expected, "; that one is known, but tsim does not have it: %s", remark);

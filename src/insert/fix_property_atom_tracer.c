@@ -32,7 +32,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 
 static const struct ts_arg args[] = {
 	TS_REGION("region_mark", struct state, region, .help = "region in which particles are marked"),
-	TS_INT("mark_step", struct state, step, .range = TS_NOT_NEGATIVE, .flags = TS_STATEFUL,
+	TS_INT("mark_step", struct state, step, .range = TS_NOT_NEGATIVE, .flags = TS_STATEFUL | TS_CUT,
 	       .help = "first step in which particles are marked"),
 	TS_ENUM("marker_style", struct state, when, when_names, .fallback = "dirac", .flags = TS_STATEFUL,
 		.help = "dirac: particles are marked once; heaviside: from mark_step on"),

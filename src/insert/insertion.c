@@ -103,7 +103,7 @@ static enum ts_status read_every(struct ts_instance *self, struct tsim *sim)
 
 	if (!s->every_word || ts_streq(s->every_word, "once"))
 		return TS_OK;
-	if (ts_parse_int(s->every_word, &s->every) && s->every >= 0)
+	if (ts_arg_whole_part(self, sim, "insert_every", s->every_word, &s->every) && s->every >= 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->every_word),
 		       "fix %s: insert_every is '%s', expected a number of steps or once", self->style->name,

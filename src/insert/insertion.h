@@ -47,7 +47,7 @@ struct ts_insertion {
 			.help = "ID of the fix particledistribution/discrete whose particles are inserted"), \
 		TS_INT("maxattempt", T, base.maxattempt, .fallback = "50", .range = TS_POSITIVE,             \
 		       .help = "average number of trial positions per particle"),                            \
-		TS_INT("start", T, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,               \
+		TS_INT("start", T, base.start, .flags = TS_OPTIONAL | TS_CUT, .range = TS_NOT_NEGATIVE,      \
 		       .help = "step of the first insertion; default: the next step"),                       \
 		TS_BOOL("overlapcheck", T, base.overlapcheck, .fallback = "yes",                             \
 			.help = "inserted particles must not overlap each other or present particles")

@@ -1,6 +1,23 @@
 #include "insert/insertion_rate.h"
 
+#include <math.h>
+
 #include "base/banned.h"
+
+/* A number such as 1e5 as well, or with a fraction, of which the whole part is taken, as in LIGGGHTS. */
+static bool read_number(struct ts_instance *self, struct tsim *sim, const char *word, int64_t *total)
+{
+	double number;
+
+	if (!ts_parse_real(word, &number) || !(number >= 1 && number < 1e15))
+		return false;
+	*total = (int64_t)number;
+	if (number != floor(number))
+		ts_warn(&sim->log, ts_instance_word(self, word),
+			"fix %s: nparticles is %s, no integer: %lld is taken, as in LIGGGHTS",
+			self->style->name, word, (long long)*total);
+	return true;
+}
 
 static enum ts_status read_total(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate)
 {
@@ -12,7 +29,7 @@ static enum ts_status read_total(struct ts_instance *self, struct tsim *sim, str
 	rate->total_mass = INFINITY;
 	if (ts_streq(word, "INF"))
 		return TS_OK;
-	if (rate->number_word && ts_parse_int(word, &rate->total) && rate->total > 0)
+	if (rate->number_word && read_number(self, sim, word, &rate->total))
 		return TS_OK;
 	if (rate->mass_word && ts_parse_real(word, &mass) && mass > 0 && mass < 1e15 * d->mass) {
 		rate->total = (int64_t)(mass / d->mass);
@@ -20,8 +37,8 @@ static enum ts_status read_total(struct ts_instance *self, struct tsim *sim, str
 		return TS_OK;
 	}
 	return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, word),
-		       "fix %s: %s is '%s', expected a number > 0, or INF", self->style->name,
-		       rate->number_word ? "nparticles" : "mass", word);
+		       "fix %s: %s is '%s', expected a number %s, or INF", self->style->name,
+		       rate->number_word ? "nparticles" : "mass", word, rate->number_word ? ">= 1" : "> 0");
 }
 
 enum ts_status ts_insertion_rate_init(struct ts_instance *self, struct tsim *sim,

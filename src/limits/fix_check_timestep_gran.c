@@ -73,7 +73,8 @@ const struct ts_style ts_fix_check_timestep_gran = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = due,
 	.summary = "compares the time step with the Rayleigh time and the duration of collisions",
-	.doc = "Every N steps three ratios are computed. f_ID[1] = dt/t_R, the smallest Rayleigh time t_R = "
+	.doc = "Every N steps, of a number with a fraction its whole part, three ratios are computed. "
+	       "f_ID[1] = dt/t_R, the smallest Rayleigh time t_R = "
 	       "pi R sqrt(rho/G)/(0.1631 nu + 0.8766), G = Y/(2(1+nu)), of the particles of the group. "
 	       "f_ID[2] = dt/t_H, the smallest Hertz time t_H = 2.87 (m*^2/(R* Y*^2 v))^(1/5) of all pairs "
 	       "of these particles. f_ID[3] = v dt/skin. v is twice the largest speed in the group, or this "

@@ -29,7 +29,7 @@ enum ts_status ts_step_check_init(const struct ts_instance *self, struct tsim *s
 	if (w.n != at + 1 + n)
 		return fail_expected(self, sim, w, at + 1 + n, names);
 	if (at ? !ts_parse_real(w.word[1].text, &c->interval) || !(c->interval > 0)
-	       : !ts_parse_int(w.word[0].text, &c->every) || c->every < 1)
+	       : !ts_arg_whole_part(self, sim, "N", w.word[0].text, &c->every) || c->every < 1)
 		return fail_expected(self, sim, w, at, names);
 	if (at) /* a whole number of steps, at least one, as in LIGGGHTS */
 		c->every = (int64_t)fmax(1, floor(c->interval / sim->clock.dt));

@@ -70,8 +70,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("step", struct state, step, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-	       .help = "new value of the step counter"),
+	TS_INT("step", struct state, step, .flags = TS_POSITIONAL | TS_CUT, .range = TS_NOT_NEGATIVE,
+	       .help = "new value of the step counter; of a number with a fraction the whole part"),
 	TS_REAL("time", struct state, time, .flags = TS_OPTIONAL, .unit = "time",
 		.help = "new simulated time; default: step times dt"),
 	TS_ARGS_END,

@@ -56,6 +56,30 @@ run \${n}
 run 20.9 upto
 print \"step \$(step)\"" 'step 20' '*warning: run: N is 10.07, no integer: 10 is taken, as in LIGGGHTS'
 prints "$box
+fix g all check/timestep/gran 10.5 0.1 0.1 warn no
+reset_timestep 7.9
+fix pts all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.01
+fix pdd all particledistribution/discrete 15485867 1 pts 1.0
+region mid sphere 0.5 0.5 0.5 0.2 units box
+fix pack all insert/pack seed 32452843 distributiontemplate pdd start 10.3 insert_every 5.7 region mid particles_in_region 4.5
+fix tracer all property/atom/tracer region_mark mid mark_step 15.5 check_mark_every 1
+fix rain all insert/rate/region seed 32452867 distributiontemplate pdd start 19 nparticles 0.25e1 particlerate 1e6 insert_every 1 region mid
+thermo_style custom step atoms f_tracer
+thermo 1
+run 18
+print \"step \$(step) ratio \$(f_g[1]>0) atoms \$(atoms)\"" 'step 25 ratio 1 atoms 8' \
+	'*warning: fix check/timestep/gran: N is 10.5, no integer: 10 is taken, as in LIGGGHTS' \
+	'*warning: reset_timestep: step is 7.9, no integer: 7 is taken' \
+	'*warning: fix insert/pack: start is 10.3, no integer: 10' \
+	'*warning: fix insert/pack: insert_every is 5.7, no integer: 5' \
+	'*warning: fix insert/pack: particles_in_region is 4.5, no integer: 4' \
+	'*warning: fix property/atom/tracer: mark_step is 15.5, no integer: 15' \
+	'*warning: fix insert/rate/region: nparticles is 0.25e1, no integer: 2'
+rejects "$box
+fix g all check/timestep/gran 1e5.5 0.1 0.1" "found '1e5.5', expected N fraction_r"
+rejects "$box
+dump d all custom 10.5 post.* id" "every is '10.5', expected an integer"
+prints "$box
 fix l all langevin 0 0 1 4711 angmom no omega no
 fix pts all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.01
 fix pdd all particledistribution/discrete 15485867 1 pts 1.0
