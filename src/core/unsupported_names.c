@@ -124,6 +124,15 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{                                           \
 		"write_dump modify", word_, remark_ \
 	}
+#define TEMPLATE_BONDS                                                                         \
+	"insert the spheres, then make the bonds: bond_style (beam, parallel, gran ...) with " \
+	"`create_bonds`, or with `fix ID GROUP bond/create/gran` while spheres are inserted"
+/* Words of both templates of clumps. */
+#define CLUMPS(word_, remark_)                                      \
+	{ "fix particletemplate/multiplespheres", word_, remark_ }, \
+	{                                                           \
+		"fix particletemplate/multisphere", word_, remark_  \
+	}
 #define BRIDGES "use easo/capillary/viscous or washino/capillary/viscous"
 
 static const struct {
@@ -146,6 +155,11 @@ static const struct {
 	{ "fix wall/gran", "general_cylinder",
 	  "for cylinders along x, y or z write `primitive ... zcylinder R X Y`; for other directions use a "
 	  "region (region cylinder with rotate, fix wall/gran/region) or a mesh" },
+	{ "bonded", "yes*", TEMPLATE_BONDS },
+	CLUMPS("bond_type", TEMPLATE_BONDS),
+	CLUMPS("nbond_pairs", TEMPLATE_BONDS),
+	CLUMPS("spheres_different_types",
+	       "all spheres of a template have its atom_type; `set` changes types of particles"),
 	{ "set", "blockiness", SHAPES },
 	{ "set", "quat", SHAPES },
 	{ "set", "shape", SHAPES },

@@ -2,11 +2,14 @@
 
 #include <math.h>
 
+#include "core/unsupported_names.h"
 #include "io/lines.h"
 #include "math/vec3.h"
 #include "particle/sphere_shape.h"
 
 #include "base/banned.h"
+
+const char *const ts_clump_bonds[] = { "no", NULL };
 
 static enum ts_status store_number(struct ts_instance *self, struct tsim *sim, const struct ts_place *where,
 				   double value, size_t k, struct ts_clump *out)
@@ -65,48 +68,91 @@ static enum ts_status read_file(struct ts_instance *self, struct tsim *sim, cons
 	return status;
 }
 
-static enum ts_status read_words(struct ts_instance *self, struct tsim *sim, struct ts_words words,
-				 struct ts_clump *out)
+static enum ts_status refuse_word(struct ts_instance *self, struct tsim *sim, const struct ts_word *word)
 {
-	if (words.n != 4 * out->n)
+	struct ts_suggest suggest = ts_suggest_start(word->text);
+	char what[80];
+	const char *remark;
+
+	snprintf(what, sizeof what, "fix %s", self->style->name);
+	remark = ts_unsupported_word_remark(what, word->text);
+	if (remark)
+		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
+			       "%s: keyword '%s' is known, but tsim does not have it: %s", what, word->text,
+			       remark);
+	ts_suggest_try(&suggest, "scale");
+	for (const struct ts_arg *row = self->style->args; row->type != TS_ARG_END; row++)
+		ts_suggest_try(&suggest, row->name);
+	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "%s: unknown keyword '%s'%s", what, word->text,
+		       ts_suggest_text(&suggest));
+}
+
+/* How many numbers the words begin with. */
+static size_t count_numbers(struct ts_words words)
+{
+	double value;
+	size_t n = 0;
+
+	while (n < words.n && ts_parse_real(words.word[n].text, &value))
+		n++;
+	return n;
+}
+
+/* A word in place of a number is a wrong number, unless too few words follow. */
+static enum ts_status read_numbers(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+				   struct ts_clump *out)
+{
+	size_t n = count_numbers(words);
+
+	if (n < 4 * out->n && words.n >= 4 * out->n && !ts_streq(words.word[n].text, "scale"))
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[n].place, "fix %s: '%s' is not a number",
+			       self->style->name, words.word[n].text);
+	if (n != 4 * out->n)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "fix %s: spheres has %zu numbers, expected x y z r for each of %zu spheres",
-			       self->style->name, words.n, out->n);
-	for (size_t k = 0; k < words.n; k++) {
+			       self->style->name, n, out->n);
+	for (size_t k = 0; k < n; k++) {
 		const struct ts_word *word = &words.word[k];
-		double value;
+		double value = 0;
 
-		if (!ts_parse_real(word->text, &value))
-			return ts_fail(&sim->error, TS_SYNTAX, &word->place, "fix %s: '%s' is not a number",
-				       self->style->name, word->text);
-		TS_TRY(store_number(self, sim, &word->place, value, k, out));
+		if (ts_parse_real(word->text, &value))
+			TS_TRY(store_number(self, sim, &word->place, value, k, out));
 	}
 	return TS_OK;
+}
+
+/* The words after the spheres: none, or scale FACTOR */
+static enum ts_status read_factor(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+				  double *factor)
+{
+	const char *text = words.n > 1 ? words.word[1].text : "";
+
+	if (!words.n)
+		return TS_OK;
+	if (!ts_streq(words.word[0].text, "scale"))
+		return refuse_word(self, sim, &words.word[0]);
+	if (!ts_parse_real(text, factor) || !(*factor > 0))
+		return ts_fail(&sim->error, TS_RANGE, &words.word[words.n > 1].place,
+			       "fix %s: scale is '%s', expected a number > 0", self->style->name, text);
+	return words.n > 2 ? refuse_word(self, sim, &words.word[2]) : TS_OK;
 }
 
 /* Reads "x y z r" n times, or "file NAME" with n such lines; optionally followed by "scale FACTOR". */
 static enum ts_status read_spheres(struct ts_instance *self, struct tsim *sim, struct ts_words words,
 				   int64_t n, struct ts_clump *out)
 {
+	bool file = words.n > 1 && ts_streq(words.word[0].text, "file");
 	double factor = 1;
 
 	out->n = (size_t)n;
 	out->sphere = ts_arena_alloc(&self->arena, out->n, sizeof *out->sphere);
 	if (!out->sphere)
 		return ts_nomem(&sim->error);
-	if (words.n > 2 && ts_streq(words.word[words.n - 2].text, "scale")) {
-		const struct ts_word *word = &words.word[words.n - 1];
-
-		if (!ts_parse_real(word->text, &factor) || !(factor > 0))
-			return ts_fail(&sim->error, TS_RANGE, &word->place,
-				       "fix %s: scale is '%s', expected a number > 0", self->style->name,
-				       word->text);
-		words.n -= 2;
-	}
-	if (words.n == 2 && ts_streq(words.word[0].text, "file"))
+	if (!file)
+		TS_TRY(read_numbers(self, sim, words, out));
+	TS_TRY(read_factor(self, sim, ts_words_from(words, file ? 2 : 4 * out->n), &factor));
+	if (file)
 		TS_TRY(read_file(self, sim, &words.word[1], out));
-	else
-		TS_TRY(read_words(self, sim, words, out));
 	for (size_t k = 0; k < out->n; k++) {
 		for (int d = 0; d < 3; d++)
 			out->sphere[k].x[d] *= factor;

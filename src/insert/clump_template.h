@@ -9,6 +9,7 @@
 struct ts_clump_template {
 	struct ts_template base;
 	int64_t nspheres, ntry;
+	int bonded;
 	struct ts_words sphere_words;
 	struct ts_clump clump;
 };
@@ -19,7 +20,11 @@ struct ts_clump_template {
 		       .help = "number of random points for volume, centre and moments"),                 \
 		TS_LIST_KEYWORD("spheres", T, shape.sphere_words, .flags = TS_TO_KEYWORD,                 \
 				.help = "x y z r of each sphere, or file NAME with nspheres such lines; " \
-					"optionally followed by scale FACTOR")
+					"optionally followed by scale FACTOR"),                           \
+		TS_ENUM("bonded", T, shape.bonded, ts_clump_bonds, .fallback = "no",                      \
+			.help = "whether the spheres are bonded")
+
+extern const char *const ts_clump_bonds[];
 
 /* Reads the clump and integrates its volume and moments. The origin, which insertion places, is the centre of
  * mass, or without `centre` that of the bounding sphere. */

@@ -228,7 +228,7 @@ pours "$v particlerate 100 extrude_length 0.2" 'one of nparticles and mass'
 pours "$v nparticles 10 mass 3 particlerate 100 extrude_length 0.2" 'one of nparticles and mass'
 pours "$v nparticles 10 extrude_length 0.2" 'one of particlerate and massrate'
 pours "$v nparticles 10 particlerate 100 massrate 1 extrude_length 0.2" 'one of particlerate and massrate'
-pours "$v nparticles 1.5 particlerate 100 extrude_length 0.2" "nparticles is '1.5'"
+pours "$v nparticles 0.5 particlerate 100 extrude_length 0.2" "nparticles is '0.5', expected a number >= 1"
 pours "$v mass -2 particlerate 100 extrude_length 0.2" "mass is '-2'"
 pours "$v nparticles 10 particlerate 100" 'one of insert_every and extrude_length'
 pours "$v nparticles 10 particlerate 100 insert_every 1000 extrude_length 0.2" 'one of insert_every and extrude_length'
@@ -341,6 +341,22 @@ stone '0 0 0 0.05 0.13 0 0' 'spheres has 7 numbers'
 stone '0 0 0 0.05 0.13 0 0 x' "'x' is not a number"
 stone '0 0 0 0.05 0.13 0 0 -1' 'the radius of sphere 2 is -1'
 stone '0 0 0 0.05 0.13 0 0 0.05 scale 0' "scale is '0'"
+stone '0 0 0 0.05 0.13 0 0 0.05 scale' "scale is '', expected a number"
+stone '0 0 0 0.05 0.13 0 0 scale 2' 'spheres has 7 numbers'
+stone '0 0 0 0.05 0.13 0 0 0.05 0.2' 'spheres has 9 numbers'
+stone '0 0 0 0.05 0.13 0 0 0.05 scael 2' "unknown keyword 'scael'; did you mean 'scale'?"
+stone 'file two.stone scale 0.01 grow 2' "unknown keyword 'grow'"
+# Words of LIGGGHTS and its editions for bonds in a template: no bonds is what tsim does, others are named, with the place.
+for words in 'bonded yes' 'bonded yes/explicit nbond_pairs 1 1 2' 'bonded yes/implicit bond_type 1' 'bond_type 1 bonded no' \
+	'bonded no nbond_pairs 1 1 2'; do
+	stone "file two.stone scale 0.01 $words" 'tsim does not have it: insert the spheres, then make the bonds: bond_style'
+done
+stone 'file two.stone scale 0.01 bonded yes/explicit' "bonded is 'yes/explicit', expected no; that one is known"
+rejects "${stones% spheres} spheres_different_types file two.stone scale 0.01" "keyword 'spheres_different_types' is known"
+prints "${stones/fix move all nve\/sphere/} file two.stone scale 0.01 bonded no
+$clumps
+run 1
+print \"\$(count(all))\"" '8'
 stone 'file nothing' 'nothing'
 printf '0 0 0 5\n' >one.stone
 stone 'file one.stone' 'the file ends after 1 spheres'

@@ -138,8 +138,8 @@ syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
 syn keyword tsimKeyword  gravity geometric_prefactor allow_group_and_set allow_heatsource
 syn keyword tsimKeyword  by_dimension disc atom_type volume_limit relative nspheres ntry
-syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag diam dens vol
-syn keyword tsimKeyword  rate
+syn keyword tsimKeyword  bonded inertia_tensor use_volume use_density fflag tflag diam dens
+syn keyword tsimKeyword  vol rate
 syn match tsimKeyword /\<next\>/ 
 syn keyword tsimKeyword  molfrac rigid shake ghost writedata add_region check_region_every
 syn keyword tsimKeyword  region_mark mark_step marker_style dirac heaviside
