@@ -88,7 +88,7 @@ static bool share_corner(const struct ts_mesh_wall *mw, size_t j, size_t k)
 
 	for (int e = 0; e < 9; e++)
 		share |= a[e / 3] == b[e % 3];
-	return share && mw->near[j].mesh == mw->near[k].mesh;
+	return share && mw->near[j].mesh == mw->near[k].mesh && ts_mesh_wall_adjoin(mw, j, k);
 }
 
 size_t ts_mesh_donor(const struct ts_mesh_wall *mw, const struct ts_wall_contacts *c,

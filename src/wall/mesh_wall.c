@@ -268,3 +268,21 @@ void ts_mesh_wall_position(const struct tsim *sim, const struct ts_mesh_near *ne
 {
 	ts_box_images_place(&sim->domain->box, near->shift, sim->particles->x[i], x);
 }
+
+bool ts_mesh_wall_adjoin(const struct ts_mesh_wall *mw, size_t a, size_t b)
+{
+	const struct ts_mesh_near *p = &mw->near[a], *q = &mw->near[b];
+	const struct ts_mesh *m = &mw->mesh[p->mesh].surface->mesh;
+	double tolerance = ts_mesh_wall_slack(m, p->triangle) + ts_mesh_wall_slack(m, q->triangle);
+	bool adjoin = false;
+
+	for (int k = 0; k < 3; k++) {
+		double to[3];
+
+		for (int d = 0; d < 3; d++)
+			to[d] = m->x[q->triangle][k][d] - m->x[p->triangle][0][d] +
+				(q->shift[d] - p->shift[d]) * mw->length[d];
+		adjoin |= fabs(ts_dot(m->normal[p->triangle], to)) <= tolerance;
+	}
+	return adjoin;
+}

@@ -104,6 +104,10 @@ enum ts_status ts_mesh_wall_update_trees(struct tsim *sim, struct ts_mesh_wall *
 
 /* Position of particle i relative to the periodic image of the mesh, in the frame of the mesh. */
 void ts_mesh_wall_position(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3]);
+/* Whether a corner of the triangle of contact b is in the plane of that of contact a, both in their periodic images, of one mesh.
+ * Corners that are box lengths apart are one vertex (ts_mesh_link_images): triangles that share it may be anywhere. Those of a
+ * plane that is longer than the box, whose images cover each other, adjoin as well. */
+bool ts_mesh_wall_adjoin(const struct ts_mesh_wall *mw, size_t a, size_t b);
 /* The history value that is > 0 if the contact exists: since the last step, or found in this one. */
 static inline double *ts_mesh_contact_exists(const struct ts_wall_contacts *c, size_t k)
 {

@@ -10,14 +10,14 @@
 
 #include "base/banned.h"
 
-/* Periodic images are not compared: across a periodic face an image of a triangle may be the neighbour. */
 static bool are_flat_neighbours(const struct ts_mesh_wall *mw, size_t a, size_t b)
 {
 	const struct ts_mesh_near *p = &mw->near[a], *q = &mw->near[b];
 
 	return a != b && p->mesh == q->mesh &&
 	       ts_mesh_flat_neighbours(&mw->mesh[p->mesh].surface->mesh, (size_t)p->triangle,
-				       (size_t)q->triangle);
+				       (size_t)q->triangle) &&
+	       ts_mesh_wall_adjoin(mw, a, b);
 }
 
 /* Starts contact k, one of the contacts from .. to-1 of a particle, with the history of a contact that

@@ -111,6 +111,40 @@ $ball
 run 20000
 print \"fell \$(xcm(all,z)<0.049), crossed \$(xcm(all,x)>0.5)\"" 'fell 0, crossed 1'
 
+# Triangles of a floor that meet only across a periodic face: a ball that rolls over the seam moves as one that does not.
+for law in 'hertz tangential history rolling_friction epsd2' 'jkr tangential history'; do
+	for x in 0.27 0.77; do
+		printf '%s\n' "$(echo "$scene" | sed "s/boundary f f f/boundary p p f/; s/block -1 1 -1 1/block -0.5 0.5 -0.5 0.5/
+			s/^pair_style.*/fix m6 all property\/global workOfAdhesion peratomtypepair 2 0.5 0.5 0.5 0.5\npair_style gran model $law/")
+fix cad all mesh/surface file plate.stl type 2
+fix wall all wall/gran model $law mesh n_meshes 1 meshes cad
+create_atoms 1 single $((${x#0.} - 50))e-2 0.4999 0.0999 units box
+set group all diameter 0.2 density 2385
+velocity all set 1 0.1 0 units box
+fix move all nve/sphere
+run 25000
+print \"rolled \$(xu[1]+0.5-$x:%.8f) \$(z[1]:%.10f) \$(vx[1]:%.8f) \$(omegax[1]:%.7f) \$(omegay[1]:%.7f)\"" >in.seam
+		"$TSIM" -in in.seam -log none 2>&1 </dev/null | grep '^rolled' >"seam.$x"
+	done
+	same "over the seam: $law" seam.0.27 seam.0.77
+done
+
+# A ball between an inclined sheet and the periodic image of this sheet touches both: triangles that share a corner are flat
+# neighbours only in images that do.
+{ echo '0 0 0  1 0 1.7320508  1 1 1.7320508'; echo '0 0 0  1 1 1.7320508  0 1 0'
+	echo '1 0 1.7320508  2 0 3.4641016  2 1 3.4641016'; echo '1 0 1.7320508  2 1 3.4641016  1 1 1.7320508'; } | solid >sheet.stl
+for law in 'hertz tangential history' 'jkr tangential history'; do
+	prints "$(echo "$scene" | sed "s/boundary f f f/boundary p p f/; s/block -1 1 -1 1 -1 1/block 0 1 0 1 -1 5/; /^fix down/d; s/neighbor 0.01/neighbor 0.005/
+		s/^pair_style.*/fix m6 all property\/global workOfAdhesion peratomtypepair 2 0.5 0.5 0.5 0.5\npair_style gran model $law/")
+fix cad all mesh/surface file sheet.stl type 2
+fix wall all wall/gran model $law mesh n_meshes 1 meshes cad
+create_atoms 1 single 0.2 0.4 1.21243556 units box
+set group all diameter 0.9 density 2385
+compute force all reduce sum fx fz
+run 0
+print \"held \$(abs(c_force[1])<1e-3) \$(abs(c_force[2])<1e-3)\"" 'held 1 1'
+done
+
 start='units si
 boundary f f f
 region box block -1 1 -1 1 -1 1 units box
