@@ -175,6 +175,22 @@ static enum ts_status load_field(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
+/* Walls look at three images along the heights: the nearest, and those above and below. */
+static enum ts_status check_height(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_voxel_field *f = &((struct state *)self->state)->surface.field;
+	double length = ts_box_length(&sim->domain->box, f->axis[2]);
+	double height = f->level[f->nlevels - 1].top[0] - f->base;
+
+	if (!ts_box_periodic(&sim->domain->box, f->axis[2]) || !(height > length))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "fix surface/voxel: the highest column is longer than the periodic box along %s, %g "
+		       "and %g: it "
+		       "would overlap its own images; raise the `base`",
+		       normals[f->axis[2]], height, length);
+}
+
 /* The box may have changed since the field was made to span it. */
 static enum ts_status check_period(struct ts_instance *self, struct tsim *sim)
 {
@@ -189,7 +205,7 @@ static enum ts_status check_period(struct ts_instance *self, struct tsim *sim)
 				       "whose length has changed from %g to %g",
 				       normals[f->axis[d]], (double)f->n[d] * f->width[d], length);
 	}
-	return TS_OK;
+	return check_height(self, sim);
 }
 
 /* ---- motion */
@@ -546,7 +562,9 @@ static const char doc[] =
 	"first order in their width. Contacts with sides and in corners stay apart as long as overlaps are "
 	"small.\n\n"
 	"The field is periodic along an axis along which it spans a periodic box. Elsewhere it ends with "
-	"side faces. In a box that is periodic along the heights a `base` is needed.\n\n"
+	"side faces. In a box that is periodic along the heights a `base` is needed, and no column may be "
+	"longer than the "
+	"box.\n\n"
 	"The time t of `move` counts from the definition of the fix. Fixes wear/... with `evolve yes` lower "
 	"the columns. Restart files contain the heights.";
 

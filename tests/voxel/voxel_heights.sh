@@ -203,4 +203,5 @@ field 'gaussian deviation -1 correlation 1 type 1 cells 9 9 seed 1' 'deviation'
 sed -i 's/f f f/p p p/' in.box
 field 'constant 1 type 1 cells 3 3' 'the box is periodic along z, the axis of the heights, and the columns have no bottom'
 field 'constant 1 type 1 cells 3 3 base 0 size 5 3' 'longer than the periodic box'
+field 'constant 1 type 1 cells 3 3 base -99' 'the highest column is longer than the periodic box along z, 100 and'
 finish
