@@ -96,6 +96,16 @@ static void precondition_by_diagonal(const struct ts_stencil *s, const double *r
 	}
 }
 
+/* The part of the last direction in the next one. `before`, `now`: r.z of the last iteration, and of this one; flexible:
+ * z.(r - r of the last one) instead, in which that difference is -step q. */
+static double weight_of_last_direction(const struct ts_conjugate_gradient *c, const struct ts_stencil *s,
+				       double before, double now)
+{
+	if (!(before > 0))
+		return 0;
+	return (c->flexible ? fmax(0, -c->step * ts_stencil_dot(s, c->q, c->z)) : now) / before;
+}
+
 /* One iteration; `before`: r.z of the last one, 0 to restart the direction. Returns r.z; 0 if the residual
  * cannot be reduced further, or if there is a NaN. */
 static double cg_iteration(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
@@ -108,11 +118,12 @@ static double cg_iteration(struct ts_conjugate_gradient *c, const struct ts_sten
 	else
 		precondition_by_diagonal(s, c->r, c->z);
 	now = ts_stencil_dot(s, c->r, c->z);
-	update_search_direction(s, c->z, before > 0 ? now / before : 0, c->d);
+	update_search_direction(s, c->z, weight_of_last_direction(c, s, before, now), c->d);
 	curvature = ts_stencil_apply(s, c->d, c->q);
 	if (!(curvature > 0) || !(now > 0))
 		return 0;
-	update_iterate(s, now / curvature, c, p);
+	c->step = now / curvature;
+	update_iterate(s, c->step, c, p);
 	return now;
 }
 

@@ -2,7 +2,10 @@
  *
  * Hestenes & Stiefel, J. Res. Nat. Bur. Stand. 49 (1952) 409. An iteration reduces the error in the energy
  * norm by about (sqrt(c) - 1)/(sqrt(c) + 1), c the condition number of the preconditioned system; without
- * a preconditioner sqrt(c) is 2/pi times the number of cells along the longest axis. */
+ * a preconditioner sqrt(c) is 2/pi times the number of cells along the longest axis.
+ *
+ * A preconditioner that is not quite symmetric is taken by the flexible method, Y. Notay, SIAM J. Sci. Comput. 22 (2000)
+ * 1444: a direction is orthogonal to the last one whatever the preconditioner is, for one more sum an iteration. */
 #ifndef TS_POISSON_CONJUGATE_GRADIENT_H
 #define TS_POISSON_CONJUGATE_GRADIENT_H
 
@@ -13,6 +16,8 @@ typedef void ts_precondition_fn(void *context, const double *r, double *z);
 
 struct ts_conjugate_gradient {
 	double *r, *z, *d, *q; /* residual, preconditioned residual, search direction, A d; owned */
+	bool flexible;
+	double step; /* of the last iteration, along d */
 };
 
 enum ts_status ts_conjugate_gradient_make(struct ts_conjugate_gradient *c, const struct ts_stencil *s);

@@ -151,6 +151,8 @@ enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *si
 	int kind = choose_preconditioner(c);
 	double goal;
 
+	/* PFMG leaves out the smoothing of some levels, and is not symmetric then */
+	c->conjugate.flexible = kind == TS_PRECONDITION_HYPRE;
 	it->stencil.slabs = ts_preconditioned_divided(self) ? it->problem->slabs : NULL;
 	TS_TRY(ts_iteration_begin(it, self, sim, rhs, p, &goal));
 	if (kind == TS_PRECONDITION_DIRECT)

@@ -66,7 +66,10 @@ const struct ts_pressure_style ts_pressure_hypre = {
 		   .ranks = TS_RANKS_OWN,
 		   .summary = "conjugate gradients with the multigrid preconditioner of the library hypre",
 		   .doc = "The iteration of pressure_style cg, with one V-cycle of PFMG of hypre as the\n"
-			  "preconditioner: semi-coarsening with Galerkin operators. It is about as fast as\n"
+			  "preconditioner: semi-coarsening with Galerkin operators. This cycle is not\n"
+			  "symmetric on all grids: directions are those of the flexible method (Notay "
+			  "2000).\n"
+			  "It is about as fast as\n"
 			  "pressure_style multigrid (doc/pressure.md).\n\n"
 			  "Available if tsim was configured with --with-hypre. hypre needs MPI, which is\n"
 			  "initialized for the one process when the style is first used. The number of "
