@@ -11,7 +11,7 @@ grep -v '^run' "$top_srcdir/tests/rank/scenes/in.bed" >in.start
 
 # told FILE: what the program prints, without times and counts of ranks
 told() {
-	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first)|ns per particle|time \(%\)|^$' "$1"
+	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first|Estimated duration)|ns per particle|time \(%\)|^$' "$1"
 }
 
 # same_on NAME RANKS...: in.NAME tells and writes the same on each of these numbers of ranks as on one
