@@ -204,16 +204,21 @@ enum ts_status ts_renew_unset(void **array, size_t *capacity, size_t need, size_
 	return renew(array, capacity, need, size, &bytes);
 }
 
-void ts_alloc_forget(void *p, size_t bytes)
+void ts_alloc_clear(void *p, size_t bytes)
 {
 #ifdef MADV_DONTNEED
-	uintptr_t from = ((uintptr_t)p + PAGE - 1) / PAGE * PAGE, to = ((uintptr_t)p + bytes) / PAGE * PAGE;
+	uintptr_t begin = (uintptr_t)p, end = begin + bytes, from = (begin + PAGE - 1) / PAGE * PAGE,
+		  to = end / PAGE * PAGE;
 
-	if (p && to > from) /* fails on systems with larger pages, and then changes nothing */
-		(void)madvise((char *)p + (from - (uintptr_t)p), to - from, MADV_DONTNEED);
-#else
-	(void)p, (void)bytes;
+	/* fails on systems with larger pages, and then changes nothing */
+	if (to > from && madvise((char *)p + (from - begin), to - from, MADV_DONTNEED) == 0) {
+		memset(p, 0, from - begin);
+		memset((char *)p + (to - begin), 0, end - to);
+		return;
+	}
 #endif
+	if (bytes)
+		memset(p, 0, bytes);
 }
 
 long ts_alloc_balance(void)

@@ -41,9 +41,9 @@ enum ts_status ts_renew_unset(void **array, size_t *capacity, size_t need, size_
 #define TS_RENEW_UNSET(array, capacity, need) \
 	ts_renew_unset((void **)&(array), &(capacity), (need), sizeof *(array))
 
-/* Gives the memory of a block of this many bytes back until it is written again: each byte keeps its value or becomes
- * 0, and which of both must not matter. */
-void ts_alloc_forget(void *p, size_t bytes);
+/* Sets so many bytes of a block to zero. Whole pages are given back to the system, and take no memory until they are
+ * written again. */
+void ts_alloc_clear(void *p, size_t bytes);
 
 /* For the program, not the library: large blocks are returned to the system when they are freed, which
  * avoids fragmentation. */

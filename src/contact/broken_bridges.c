@@ -47,7 +47,7 @@ static size_t local_of(const struct ts_particles *p, size_t j)
 
 static double *bridge_state(const struct ts_contact_list *list, const struct ts_pair *pair, size_t r)
 {
-	return &list->history[r * list->history_width + (size_t)ts_granular_met_at(&pair->model)];
+	return &ts_contact_history(list, r)[ts_granular_met_at(&pair->model)];
 }
 
 static bool has_broken(const struct ts_contact_list *list, const struct ts_pair *pair, size_t r)

@@ -4,6 +4,7 @@
 #include "contact/contact_view.h"
 #include "heat/heat.h"
 #include "math/vec3.h"
+#include "neigh/contact_memory.h"
 
 #include "base/banned.h"
 
@@ -69,7 +70,7 @@ static void recompute_force(const struct tsim *sim, const struct ts_contact_view
 	struct ts_touch t;
 
 	for (size_t k = 0; k < list->history_width; k++)
-		memory[k] = list->history[v->row * list->history_width + k];
+		memory[k] = ts_contact_history(list, v->row)[k];
 	ts_contact_touch(p, i, j, model, &t);
 	ts_granular_add_bulge(model, memory, &t);
 	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t, sim->clock.dt, false,
@@ -104,8 +105,7 @@ static void collect_facts(const struct tsim *sim, size_t r, const bool *wanted, 
 		f->point[k] = p->x[v.a][k] - v.d[k] * (a / (a + b));
 	}
 	for (size_t k = 0; k < list->history_width; k++)
-		f->history[k] =
-			list->history[r * list->history_width + k] * (v.sign < 0 ? list->history_sign[k] : 1);
+		f->history[k] = ts_contact_history(list, r)[k] * (v.sign < 0 ? list->history_sign[k] : 1);
 	f->area = ts_contact_area(a, b, v.distance);
 	f->delta = a + b - v.distance;
 	add_torque(sim, &v, f);

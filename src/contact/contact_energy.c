@@ -4,6 +4,7 @@
 #include "contact/contact_loop.h"
 #include "law/elastic_energy.h"
 #include "particle/group_moments.h"
+#include "neigh/contact_memory.h"
 
 #include "base/banned.h"
 
@@ -16,11 +17,11 @@ static double energy_of_pair(const struct tsim *sim, const struct ts_pair *pair,
 	struct ts_touch t;
 
 	ts_contact_touch(p, i, j, model, &t);
-	ts_granular_add_bulge(model, width ? list->history + r * width : NULL, &t);
+	ts_granular_add_bulge(model, width ? ts_contact_history(list, r) : NULL, &t);
 	if (!(t.overlap > 0) && !ts_granular_reaches(model))
 		return 0;
 	return ts_granular_energy(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
-				  width ? list->history + r * width : NULL);
+				  width ? ts_contact_history(list, r) : NULL);
 }
 
 static double energy_of_contacts(const struct tsim *sim, size_t i)

@@ -104,8 +104,7 @@ static void end_contact(const struct ts_contact_task *task, struct ts_active_blo
 {
 	const struct ts_granular_model *m = &task->pair->model;
 	struct ts_contact_list *list = task->list;
-	size_t met =
-		list->active[block->first + at].row * list->history_width + (size_t)ts_granular_met_at(m);
+	uint32_t r = list->active[block->first + at].row;
 	bool breaks =
 		ts_cohesion_bridges(m) && *ts_contact_memory(block, at, (size_t)ts_granular_met_at(m)) > 0;
 
@@ -113,7 +112,7 @@ static void end_contact(const struct ts_contact_task *task, struct ts_active_blo
 	ts_contact_end(list, block, at, task->keep);
 	if (!breaks)
 		return;
-	list->history[met] = TS_BRIDGE_BROKEN;
+	ts_contact_history(list, r)[ts_granular_met_at(m)] = TS_BRIDGE_BROKEN;
 #pragma omp atomic write
 	list->bridges_broken = true;
 }

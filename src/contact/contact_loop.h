@@ -22,18 +22,21 @@ struct ts_contact_task {
 };
 
 /* Begins a contact: the pair `at` of the block becomes the last of the touching ones, with the history that
- * it has in the list: that is read only where it may not be zero, as it is not in the cache. */
+ * it has in the list: that is read only where it may not be zero, as it is not in the cache. Where all results are kept, it gets its slot when it
+ * first touches; which slot depends on the threads, but is of no effect. */
 TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_active_block *block, size_t at)
 {
 	struct ts_active_pair *active = list->active + block->first, pair = active[at];
 
 	active[at] = active[block->touching];
+	if (pair.slot == (uint32_t)TS_PAIR_INACTIVE)
+		pair.slot = __atomic_fetch_add(list->next_slot, 1, __ATOMIC_RELAXED);
 	active[block->touching] = pair;
 	if (list->history_width && block->touching == block->column)
 		ts_contact_memory_extend(list, block);
 	for (size_t c = 0; c < list->history_width; c++)
 		*ts_contact_memory(block, block->touching, c) =
-			list->parted_history ? *ts_contact_history(list, block, block->touching, c) : 0;
+			list->history_by_pair ? ts_contact_history(list, pair.row)[c] : 0;
 	block->touching++;
 	ts_contact_set_active(list, &pair, true);
 	ts_touching_sums_change(list, &pair, true);
@@ -48,12 +51,10 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 
 	block->touching--;
 	for (size_t c = 0; c < list->history_width; c++) {
-		double *memory = ts_contact_memory(block, at, c),
-		       *stored = ts_contact_history(list, block, at, c), left = keep ? *memory : 0;
+		double *memory = ts_contact_memory(block, at, c);
 
-		/* with all results, zeros that were never written take no memory: ts_contacts_forget_history */
-		if (list->results != TS_RESULTS_KEPT || *stored != left)
-			*stored = left;
+		if (list->history_by_pair)
+			ts_contact_history(list, pair.row)[c] = keep ? *memory : 0;
 		*memory = *ts_contact_memory(block, block->touching, c);
 	}
 	active[at] = active[block->touching];

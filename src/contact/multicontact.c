@@ -59,7 +59,7 @@ static struct ts_multicontact_load load_of_pair(const struct ts_pair *pair,
 						const struct ts_particles *p, size_t r, int side)
 {
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[list->i[r]], p->type[list->j[r]]);
-	const double *memory = list->history + r * list->history_width + ts_granular_multi_at(model);
+	const double *memory = ts_contact_history(list, r) + ts_granular_multi_at(model);
 	double a = p->radius[list->i[r]], b = p->radius[list->j[r]], gap;
 	struct ts_multicontact_load one = { .load.force = memory[TS_MULTI_FORCE] };
 

@@ -103,7 +103,7 @@ static void account_pair(struct pair_accounting *w, size_t r, int side, size_t o
 	const struct ts_particles *p = w->sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *m = ts_pair_model(w->pair, p->type[i], p->type[j]);
-	const double *memory = rows->history_width ? rows->history + r * rows->history_width : NULL;
+	const double *memory = rows->history_width ? ts_contact_history(rows, r) : NULL;
 	double sign = side ? -1 : 1, drive[3] = { 0 };
 	struct ts_contact_parts parts;
 	struct ts_touch t;
@@ -151,8 +151,10 @@ enum ts_status ts_ledger_store_pair_history(struct tsim *sim, struct ts_ledger *
 
 	ts_contacts_store_history(sim, rows);
 	l->memory_n = 0;
-	return append_history(sim, rows->history, rows->n * rows->history_width, &l->memory, &l->memory_n,
-			      &l->memory_capacity);
+	for (size_t r = 0; r < rows->n && rows->history_width; r++)
+		TS_TRY(append_history(sim, ts_contact_history(rows, r), rows->history_width, &l->memory,
+				      &l->memory_n, &l->memory_capacity));
+	return TS_OK;
 }
 
 enum ts_status ts_ledger_store_wall_history(struct tsim *sim, struct ts_ledger *l)

@@ -71,7 +71,7 @@ TS_INLINE void prefetch_block(const struct ts_heat_task *t, const struct ts_acti
 	}
 }
 
-/* The active pairs of the blocks from .. to-1. */
+/* The touching pairs of the blocks from .. to-1; the flows of all others are not summed. */
 TS_CLONES static void compute_flows_of_blocks(void *context, size_t from, size_t to)
 {
 	const struct ts_heat_task t = ts_heat_task(context, 0);
@@ -94,8 +94,6 @@ TS_CLONES static void compute_flows_of_blocks(void *context, size_t from, size_t
 			ts_heat_batch_conductances(&t, &b);
 			compute_flows(&t, &b);
 		}
-		for (size_t at = block->touching; at < block->n; at++)
-			t.pairs->flow[near[at].slot] = (struct ts_heat_flow){ { 0 } };
 	}
 }
 

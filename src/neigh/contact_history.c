@@ -35,6 +35,19 @@ static void copy_signed(double *to, const double *from, size_t width, const sign
 		to[c] = swapped && sign[c] < 0 ? -from[c] : from[c];
 }
 
+/* Room for n contacts in the list's memory for active pairs and their history, which serves again only after the next list is
+ * made; false: there is too little, as at the first list and where the columns of many blocks were extended. */
+static bool borrow_memory(const struct ts_contact_list *list, struct ts_contact_history *h, size_t n)
+{
+	h->lent = h->width && n * h->width <= list->memory_capacity &&
+		  n * sizeof *h->key <= list->active_capacity * sizeof *list->active;
+	if (h->lent) {
+		h->key = (void *)list->active;
+		h->value = list->memory;
+	}
+	return h->lent;
+}
+
 static enum ts_status allocate_history(struct tsim *sim, struct ts_contact_history *h, size_t n, bool forces)
 {
 	h->key = ts_alloc(n, sizeof *h->key);
@@ -58,7 +71,7 @@ static bool is_saved(const struct ts_contact_list *list, size_t r, bool memories
 	bool is = ts_contact_touches(list, r);
 
 	for (size_t c = 0; memories && !is && c < list->history_width; c++)
-		is = list->history[r * list->history_width + c] != 0;
+		is = ts_contact_history(list, r)[c] != 0;
 	return is;
 }
 
@@ -66,7 +79,7 @@ static bool is_saved(const struct ts_contact_list *list, size_t r, bool memories
 struct saving {
 	const struct ts_contact_list *list;
 	struct ts_contact_history *h;
-	bool forces, memories;
+	bool forces, memories, lend;
 	size_t shares, *first; /* by share: number of its contacts, then of those of the shares before */
 };
 
@@ -101,8 +114,9 @@ static void save_shares(void *context, size_t from, size_t to)
 			if (s->forces)
 				copy_force(s->h->force[n], ts_contact_force(list, ts_contact_kept(list, r)),
 					   swapped);
-			copy_signed(s->h->value + n * width, list->history + r * width, width,
-				    list->history_sign, swapped);
+			if (width)
+				copy_signed(s->h->value + n * width, ts_contact_history(list, r), width,
+					    list->history_sign, swapped);
 			n++;
 		}
 	}
@@ -122,20 +136,22 @@ static enum ts_status save_shares_of(struct tsim *sim, struct saving *s, bool fo
 	}
 	if (!n)
 		return TS_OK;
-	TS_TRY(allocate_history(sim, s->h, n, forces));
+	if (!s->lend || forces || !borrow_memory(s->list, s->h, n))
+		TS_TRY(allocate_history(sim, s->h, n, forces));
 	s->h->n = n;
 	ts_parallel((int)s->shares, s->shares, save_shares, s);
 	return TS_OK;
 }
 
 static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *list, bool forces,
-				    bool memories, struct ts_contact_history *h)
+				    bool memories, bool lend, struct ts_contact_history *h)
 {
 	/* the results are not kept after a step that failed: then forces are 0 */
 	struct saving s = { .list = list,
 			    .h = h,
 			    .forces = forces && list->results == TS_RESULTS_KEPT,
 			    .memories = memories,
+			    .lend = lend,
 			    .shares = (size_t)ts_team(sim, 4 * list->n) };
 	enum ts_status status;
 
@@ -156,13 +172,21 @@ static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *li
 enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h)
 {
-	return save_contacts(sim, list, forces, false, h);
+	return save_contacts(sim, list, forces, false, false, h);
 }
 
 enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_list *list, bool forces,
 					   struct ts_contact_history *h)
 {
-	return save_contacts(sim, list, forces, true, h);
+	return save_contacts(sim, list, forces, true, false, h);
+}
+
+enum ts_status ts_contact_history_carry(struct tsim *sim, struct ts_contact_list *list, bool forces,
+					struct ts_contact_history *h)
+{
+	TS_TRY(save_contacts(sim, list, forces, sim->legacy == TS_LEGACY_LIGGGHTS, true, h));
+	list->active_chosen = false;
+	return TS_OK;
 }
 
 static void copy_contacts(struct ts_contact_history *to, const struct ts_contact_history *from)
@@ -212,8 +236,12 @@ struct restoring {
 	const struct ts_contact_history *h;
 	const struct ts_particles *p;
 	struct ts_contact_list *list;
-	/* by local particle, then by copy (particle/copies.h): index of its first key + 1, 0: none */
-	int32_t *first;
+	/* by local particle, then by copy (particle/copies.h) */
+	struct {
+		uint64_t
+			larger; /* the larger identities of its keys, each as the bit of its remainder by 64 */
+		int32_t first;	/* index of its first key + 1, 0: none */
+	} * chain;
 	struct {
 		/* the larger identity; index of the next key of the same particle + 1, 0: none */
 		int32_t larger, next;
@@ -238,6 +266,11 @@ static int32_t row_of(const struct chaining *c, int32_t tag)
 	return at < 0 ? at : (int32_t)c->g->p->n + at;
 }
 
+static uint64_t bit_of(int32_t tag)
+{
+	return (uint64_t)1 << ((uint32_t)tag & 63);
+}
+
 /* The order of the keys of a particle depends on the threads, but is of no effect: at most one is the key of a pair. */
 static void chain_share(void *context, size_t from, size_t to)
 {
@@ -246,16 +279,19 @@ static void chain_share(void *context, size_t from, size_t to)
 
 	for (size_t k = from; k < to; k++) {
 		int32_t at = row_of(c, g->h->key[k].tag[0]);
+		uint64_t larger = bit_of(g->h->key[k].tag[1]);
 
 		if (at < 0) /* the particle has left */
 			continue;
 		g->link[k].larger = g->h->key[k].tag[1];
 		if (c->team > 1) {
+			(void)__atomic_fetch_or(&g->chain[at].larger, larger, __ATOMIC_RELAXED);
 			g->link[k].next =
-				__atomic_exchange_n(&g->first[at], (int32_t)k + 1, __ATOMIC_RELAXED);
+				__atomic_exchange_n(&g->chain[at].first, (int32_t)k + 1, __ATOMIC_RELAXED);
 		} else { /* a third of the time */
-			g->link[k].next = g->first[at];
-			g->first[at] = (int32_t)k + 1;
+			g->chain[at].larger |= larger;
+			g->link[k].next = g->chain[at].first;
+			g->chain[at].first = (int32_t)k + 1;
 		}
 	}
 }
@@ -266,9 +302,9 @@ static enum ts_status chain_keys_by_particle(struct tsim *sim, struct restoring 
 	bool room;
 
 	TS_TRY(ts_identities(sim, false, &c.map));
-	g->first = ts_alloc(g->p->n + ts_copies(sim), sizeof *g->first);
+	g->chain = ts_alloc(g->p->n + ts_copies(sim), sizeof *g->chain);
 	g->link = ts_alloc(g->h->n, sizeof *g->link);
-	room = ts_copy_map_make(sim, &c.copy) == TS_OK && g->first && g->link;
+	room = ts_copy_map_make(sim, &c.copy) == TS_OK && g->chain && g->link;
 	if (room)
 		ts_parallel(c.team, g->h->n, chain_share, &c);
 	ts_copy_map_release(&c.copy);
@@ -289,7 +325,7 @@ static int32_t find_either(const struct restoring *g, const struct ts_contact_ke
 {
 	int32_t other = 0;
 
-	for (int32_t k = g->first[smaller]; k; k = g->link[k - 1].next) {
+	for (int32_t k = g->chain[smaller].first; k; k = g->link[k - 1].next) {
 		int32_t winding = g->h->key[k - 1].winding;
 
 		if (g->link[k - 1].larger != key->tag[1])
@@ -309,41 +345,96 @@ static bool has_key(const struct restoring *g, size_t r)
 	/* a table instead of a branch, which would be mispredicted half of the time */
 	const int32_t *const end[2] = { g->list->i, g->list->j };
 	int32_t a = ts_contact_tag(g->list, r, 0), b = ts_contact_tag(g->list, r, 1), larger = a > b ? a : b;
-	int32_t k = g->first[local_of(g, end[a > b][r])];
+	size_t smaller = local_of(g, end[a > b][r]);
+	int32_t k;
 
+	if (!(g->chain[smaller].larger & bit_of(larger)))
+		return false;
+	k = g->chain[smaller].first;
 	while (k && g->link[k - 1].larger != larger)
 		k = g->link[k - 1].next;
 	return k != 0;
 }
 
+/* Index + 1 of the key of pair r, 0: none; *swapped: as for make_key. */
+static int32_t find_key(const struct restoring *g, size_t r, bool *swapped)
+{
+	struct ts_contact_key key;
+
+	if (!has_key(g, r))
+		return 0;
+	key = make_key(g->list, r, swapped);
+	return find_either(g, &key, local_of(g, *swapped ? g->list->j[r] : g->list->i[r]));
+}
+
+static void copy_values(const struct restoring *g, size_t r, size_t k, bool swapped)
+{
+	if (g->h->width)
+		copy_signed(ts_contact_history(g->list, r), g->h->value + k * g->h->width, g->h->width,
+			    g->list->history_sign, swapped);
+}
+
+/* To a list in which all pairs have entries. */
 static void restore_share(void *context, size_t from, size_t to)
 {
 	const struct restoring *g = context;
 	const struct ts_contact_history *h = g->h;
-	const struct ts_particles *p = g->p;
 	struct ts_contact_list *list = g->list;
 
 	for (size_t r = from; r < to; r++) {
-		struct ts_contact_key key;
 		bool swapped, apart;
-		int32_t k;
+		int32_t k = find_key(g, r, &swapped);
 
-		if (!has_key(g, r))
-			continue;
-		key = make_key(list, r, &swapped);
-		k = find_either(g, &key, local_of(g, swapped ? list->j[r] : list->i[r]));
-		apart = (h->overlapping || h->parted) && k && !overlaps(p, list, r) &&
+		apart = (h->overlapping || h->parted) && k && !overlaps(g->p, list, r) &&
 			!had_bridge(list, h, (size_t)(k - 1));
 		if (!k || (apart && h->overlapping))
 			continue;
 		ts_contact_set_touching(list, r, !apart);
-		if (h->width)
-			copy_signed(list->history + r * h->width, h->value + (size_t)(k - 1) * h->width,
-				    h->width, list->history_sign, swapped);
+		copy_values(g, r, (size_t)(k - 1), swapped);
 		if (h->force)
 			copy_force(ts_contact_force(list, ts_contact_kept(list, r)), h->force[k - 1],
 				   swapped);
 	}
+}
+
+/* To a list in which only pairs that touch have entries, in two passes: which do, with their keys as slots; then their
+ * history. */
+static void find_share(void *context, size_t from, size_t to)
+{
+	const struct restoring *g = context;
+
+	for (size_t r = from; r < to; r++) {
+		bool swapped;
+		int32_t k = find_key(g, r, &swapped);
+
+		if (k)
+			g->list->slot[r] = (uint32_t)(k - 1) << 1 | 1;
+	}
+}
+
+static void fill_share(void *context, size_t from, size_t to)
+{
+	const struct restoring *g = context;
+	const struct ts_contact_list *list = g->list;
+
+	for (size_t r = from; r < to; r++) {
+		bool swapped;
+
+		if (!ts_contact_touches(list, r))
+			continue;
+		(void)make_key(list, r, &swapped);
+		copy_values(g, r, ts_contact_slot(list, r), swapped);
+		ts_contact_set_slot(list, r, TS_PAIR_INACTIVE);
+	}
+}
+
+static void restore_touching(struct tsim *sim, struct restoring *g)
+{
+	int team = ts_team(sim, 4 * g->list->n);
+
+	ts_parallel(team, g->list->n, find_share, g);
+	ts_contacts_note_history(sim, g->list);
+	ts_parallel(team, g->list->n, fill_share, g);
 }
 
 enum ts_status ts_contact_history_restore(struct tsim *sim, const struct ts_contact_history *h,
@@ -356,18 +447,25 @@ enum ts_status ts_contact_history_restore(struct tsim *sim, const struct ts_cont
 		return TS_OK;
 	if (h->force)
 		TS_TRY(ts_force_slots_keep_all(sim, list));
+	if (list->results == TS_RESULTS_KEPT || ts_contacts_with_history(list))
+		ts_contacts_spread_history(
+			list); /* slots are in use, or some pairs have their history already */
 	status = chain_keys_by_particle(sim, &g);
-	if (status == TS_OK)
+	if (status == TS_OK && list->history_by_pair)
 		ts_parallel(ts_team(sim, 4 * list->n), list->n, restore_share, &g);
-	ts_free(g.first);
+	else if (status == TS_OK)
+		restore_touching(sim, &g);
+	ts_free(g.chain);
 	ts_free(g.link);
 	return status;
 }
 
 void ts_contact_history_release(struct ts_contact_history *h)
 {
-	ts_free(h->key);
-	ts_free(h->value);
+	if (!h->lent) {
+		ts_free(h->key);
+		ts_free(h->value);
+	}
 	ts_free(h->force);
 	*h = (struct ts_contact_history){ 0 };
 }

@@ -18,6 +18,7 @@ struct ts_contact_history {
 	/* history, `width` numbers each, with the signs as seen from the smaller identity */
 	double *value;
 	double (*force)[3]; /* force on the smaller identity; NULL: forces are not saved */
+	bool lent;	    /* `key` and `value` are in memory of the list, and not to be freed */
 	bool overlapping;   /* only pairs that overlap now get their history back */
 	bool parted;	    /* all get it back, and those that overlap now touch */
 };
@@ -30,6 +31,10 @@ enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list 
  * parted; it is given back only to pairs that overlap then, or, where lists are made again between rebuilds, to all. */
 enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_list *list, bool forces,
 					   struct ts_contact_history *h);
+/* The one or the other, for the next list: the copy is in memory of the list that serves again when active pairs are chosen, so
+ * that it takes no more; until then it must have been restored. */
+enum ts_status ts_contact_history_carry(struct tsim *sim, struct ts_contact_list *list, bool forces,
+					struct ts_contact_history *h);
 /* Copies the history, and the forces if saved, to the pairs of the same particles in the list. */
 enum ts_status ts_contact_history_restore(struct tsim *sim, const struct ts_contact_history *h,
 					  struct ts_contact_list *list);

@@ -6,6 +6,7 @@
 #include "box/domain.h"
 #include "neigh/coincide.h"
 #include "neigh/contact_history.h"
+#include "neigh/contact_memory.h"
 #include "neigh/contact_search.h"
 #include "neigh/force_slots.h"
 #include "neigh/neigh.h"
@@ -62,11 +63,10 @@ static enum ts_status note_particles(struct tsim *sim, struct ts_contact_list *l
 	return TS_OK;
 }
 
-/* Allocates room for n pairs; the old contents are lost. */
+/* Allocates room for n pairs, but for their history; the old contents are lost. */
 static enum ts_status reserve_pairs(struct ts_contact_list *list, size_t n)
 {
-	size_t width = list->history_width ? list->history_width : 1;
-	size_t held = list->capacity, wide = held * width, capacity = 0;
+	size_t held = list->capacity, capacity = 0;
 
 	if (n <= held)
 		return TS_OK;
@@ -80,23 +80,8 @@ static enum ts_status reserve_pairs(struct ts_contact_list *list, size_t n)
 	RENEW_COLUMN(j);
 	RENEW_COLUMN(slot);
 #undef RENEW_COLUMN
-	if (list->history_width)
-		TS_TRY(TS_RENEW_UNSET(list->history, wide, capacity * width));
 	list->capacity = capacity;
 	return TS_OK;
-}
-
-/* Pairs from .. from+n-1: not touching, no history. */
-static void clear_pairs(struct ts_contact_list *list, size_t from, size_t n)
-{
-	size_t width = list->history_width;
-
-	if (!n)
-		return;
-	for (size_t r = from; r < from + n; r++)
-		list->slot[r] = (uint32_t)TS_PAIR_INACTIVE << 1;
-	if (width)
-		memset(list->history + from * width, 0, n * width * sizeof *list->history);
 }
 
 struct fill_task {
@@ -112,7 +97,8 @@ static void write_shares(void *context, size_t from, size_t to)
 		const struct ts_contact_found *share = &f->found->share[t];
 		size_t r = share->first, at = 0;
 
-		clear_pairs(f->list, r, share->n);
+		for (size_t k = r; k < r + share->n; k++) /* not touching */
+			f->list->slot[k] = (uint32_t)TS_PAIR_INACTIVE << 1;
 		for (size_t i = share->from; i < share->to; i++)
 			for (size_t k = f->found->count[i]; k; k--) {
 				f->list->i[r] = (int32_t)i;
@@ -178,6 +164,13 @@ static void forget_active_pairs(struct ts_contact_list *list)
 	list->sum_capacity = 0;
 	ts_free(list->spare);
 	list->spare = NULL;
+	ts_contacts_give_history_back(list);
+}
+
+/* Whether pairs that do not touch may have history: those that have parted, and liquid bridges that broke. */
+static bool parted_history(const struct tsim *sim, const struct ts_contact_list *list)
+{
+	return sim->legacy == TS_LEGACY_LIGGGHTS || list->bridge_column;
 }
 
 static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list *list,
@@ -189,16 +182,14 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 
 	if (!sim->run.resuming) /* forces are saved only for a run that is continued */
 		ts_force_slots_forget(list);
-	if (sim->legacy == TS_LEGACY_LIGGGHTS)
-		TS_TRY(ts_contact_history_save_all(sim, list, sim->run.resuming, old));
-	else
-		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));
+	TS_TRY(ts_contact_history_carry(sim, list, sim->run.resuming, old));
 	if (sim->division && !sim->run.resuming && list == &sim->neigh->contacts)
 		TS_TRY(ts_contact_history_append(sim, old, &sim->neigh->saved)); /* from other ranks */
 	ts_force_slots_forget(list);
 	forget_active_pairs(list);
 	TS_TRY(ts_contact_search(sim, found));
 	if (note_particles(sim, list) != TS_OK || reserve_pairs(list, found->n) != TS_OK ||
+	    ts_contacts_reserve_history(list, found->n, parted_history(sim, list)) != TS_OK ||
 	    TS_RENEW_UNSET(list->sphere, list->sphere_capacity, all) != TS_OK ||
 	    TS_RENEW_UNSET(list->motion, list->motion_capacity, all) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -247,21 +238,17 @@ void ts_contact_list_set_torques(struct ts_contact_list *list, bool turn, bool r
 enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *list, size_t width,
 					   const signed char *sign)
 {
-	double *history = NULL;
-
 	list->history_sign = sign;
 	if (width == list->history_width)
 		return TS_OK;
-	if (width) {
-		history = ts_alloc_aligned(list->capacity * width, sizeof *history);
-		if (!history)
-			return ts_nomem(&sim->error);
-	}
 	ts_free(list->history);
-	list->history = history;
+	list->history = NULL;
+	list->history_capacity = 0;
 	list->active_chosen = list->memory_newer = false;
 	list->history_width = width;
-	return TS_OK;
+	return ts_contacts_reserve_history(list, list->n, list->history_by_pair) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
 }
 
 /* History and results are not in memory at the same time where all results are kept: ts_contacts_forget_history. */
@@ -279,6 +266,7 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 		size_t n, size;
 	} part[] = {
 		{ list->capacity, sizeof *list->i + sizeof *list->j + sizeof *list->slot },
+		{ list->history_word_capacity, sizeof *list->history_word },
 		{ list->tag_capacity, sizeof *list->tag },
 		{ list->turns_capacity, sizeof *list->turns },
 		{ list->image_capacity, sizeof *list->image },
@@ -311,8 +299,10 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->turns);
 	ts_free(list->image);
 	ts_free(list->result);
+	ts_free(list->next_slot);
 	ts_free(list->slot);
 	ts_free(list->history);
+	ts_free(list->history_word);
 	ts_free(list->memory);
 	ts_free(list->spare);
 	ts_free(list->sphere);

@@ -81,9 +81,17 @@ struct ts_contact_list {
 	bool both_frozen;
 	size_t particles; /* number of local particles when the list was built */
 	/* By pair, n numbers each: */
-	int32_t *i, *j;	 /* indices of the particle columns; i local, j local or ghost */
-	uint32_t *slot;	 /* 2 slot + 1 if the pair touches: ts_contact_touches, ts_contact_slot */
-	double *history; /* history_width numbers each; zero where the pair has never touched */
+	int32_t *i, *j; /* indices of the particle columns; i local, j local or ghost */
+	uint32_t *slot; /* 2 slot + 1 if the pair touches: ts_contact_touches, ts_contact_slot */
+
+	/* history_width numbers each, zero where the pair has never touched: of which pairs, and where, see contact_memory.h */
+	double *history;
+	struct ts_history_word {
+		uint64_t marks; /* of 64 pairs: which have an entry in `history` */
+		uint32_t first; /* number of entries of the pairs before */
+	} * history_word;
+	size_t history_capacity, history_word_capacity;
+	bool history_by_pair; /* all pairs have an entry, whatever the marks */
 
 	/* By particle, ghosts included, as they were when the list was built: see ts_contact_tag and the functions
 	 * after it. `image`: of ghosts only. */
@@ -100,11 +108,12 @@ struct ts_contact_list {
 	double (*result)[4];
 	int parts;
 	size_t result_capacity;
+	/* where all results are kept: the next slot that no pair has yet; in memory of its own, as loops copy the list */
+	uint32_t *next_slot;
 
-	double *memory;	     /* the history of touching active pairs, in columns: see contact_memory.h */
-	double *spare;	     /* room for blocks whose columns have become too short; NULL: none can */
-	bool memory_newer;   /* `memory` has been advanced since it was last copied to `history` */
-	bool parted_history; /* pairs that do not touch may have history: legacy, bridges that broke */
+	double *memory;	   /* the history of touching active pairs, in columns: see contact_memory.h */
+	double *spare;	   /* room for blocks whose columns have become too short; NULL: none can */
+	bool memory_newer; /* `memory` has been advanced since it was last copied to `history` */
 	size_t history_width;
 	/* 1 + index of the history number that is > 0 while a liquid bridge exists; 0: no bridges */
 	size_t bridge_column;
@@ -190,7 +199,7 @@ static inline int32_t ts_contact_winding(const struct ts_contact_list *list, siz
 	return ts_winding_difference(list->turns[list->i[r]], list->turns[list->j[r]]);
 }
 
-/* The slot of a pair that is not active. */
+/* The slot of a pair that is not active, and, where all results are kept, of one that has not touched yet. */
 enum { TS_PAIR_INACTIVE = INT32_MAX };
 
 /* The slot of an active pair, or TS_PAIR_INACTIVE; while slots are assigned: its index in `active`. It stands in one

@@ -177,27 +177,30 @@ static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *
 
 /* ---- slots that are kept */
 
-/* Touching pairs first, in the order of the list; then the slot that is zero; then all other active pairs, which take
- * memory only where they begin to touch. Returns the number of touching pairs. */
-static size_t assign_kept_slots(const struct ts_contact_list *list, size_t *room)
+/* Touching pairs first, in the order of the list; then the slot that is zero. All other active pairs get one when they begin
+ * to touch (contact_loop.h), so that the slots in use follow one another, and only they take memory. *zero: the number of
+ * touching pairs; *room: that of active pairs. */
+static enum ts_status assign_kept_slots(struct ts_contact_list *list, size_t *zero, size_t *room)
 {
-	uint32_t touching = 0, others;
+	uint32_t touching = 0;
 
-	for (int k = 0; k < list->shares; k++)
-		for (size_t b = list->span[k].block; b < list->span[k].block_end; b++)
-			touching += list->block[b].touching;
-	others = touching + 1;
-	touching = 0;
+	*room = 0;
 	for (int k = 0; k < list->shares; k++)
 		for (size_t b = list->span[k].block; b < list->span[k].block_end; b++) {
 			const struct ts_active_block *block = &list->block[b];
 
 			for (size_t at = 0; at < block->n; at++)
 				list->active[block->first + at].slot =
-					at < block->touching ? touching++ : others++;
+					at < block->touching ? touching++ : (uint32_t)TS_PAIR_INACTIVE;
+			*room += block->n;
 		}
-	*room = others - 1;
-	return touching;
+	*zero = touching;
+	if (!list->next_slot)
+		list->next_slot = ts_alloc_aligned(1, sizeof *list->next_slot);
+	if (!list->next_slot)
+		return TS_NOMEM;
+	*list->next_slot = touching + 1;
+	return TS_OK;
 }
 
 static void write_slots_share(void *context, size_t from, size_t to)
@@ -252,7 +255,7 @@ static enum ts_status assign_and_clear(struct tsim *sim, struct ts_contact_list 
 	TS_TRY(find_chunks(sim, list));
 	TS_TRY(ts_touching_sums_reset(list));
 	if (kept) {
-		zero = assign_kept_slots(list, &room);
+		TS_TRY(assign_kept_slots(list, &zero, &room));
 	} else {
 		TS_TRY(assign_reused_slots(list, &room));
 		zero = room;
@@ -267,7 +270,6 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 {
 	enum ts_contact_results results = kept ? TS_RESULTS_KEPT : TS_RESULTS_PASSED;
 
-	list->parted_history = sim->legacy == TS_LEGACY_LIGGGHTS || list->bridge_column;
 	if (list->results == results && !ts_active_pairs_outdated(list))
 		return TS_OK;
 	if (!kept && list->results == TS_RESULTS_KEPT)
@@ -278,11 +280,11 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 		ts_team(sim, 4 * list->n); /* a pair costs as much as several rounds of a simple loop */
 	TS_TRY(ts_active_pairs_choose(sim, list));
 	TS_TRY(ts_contacts_load_history(sim, list));
-	/* with all results a step takes the most memory; parted pairs have history only here, see contact_loop.h */
-	if (kept && !list->parted_history) {
-		list->memory_newer = true;
-		ts_contacts_forget_history(list);
-		ts_alloc_trim();
+	if (!list->history_by_pair) { /* else pairs that do not touch have history only there */
+		list->memory_newer = list->history_width > 0;
+		ts_contacts_give_history_back(list);
+		if (kept) /* such a step takes the most memory */
+			ts_alloc_trim();
 	}
 	if (assign_and_clear(sim, list, kept) != TS_OK)
 		return ts_nomem(&sim->error);

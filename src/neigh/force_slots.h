@@ -3,8 +3,8 @@
  * In most steps a force is needed only until both particles have summed it. Then slots are assigned as a
  * compiler assigns registers: chunks of particles are summed as soon as all their pairs are computed, and the
  * slots of pairs that both particles have summed are reused. So few slots are in use at any time, and they
- * stay in the cache. At steps where an output may read forces of contacts all results are kept: each active pair has a
- * slot of its own, and only those of pairs that touch take memory. */
+ * stay in the cache. At steps where an output may read forces of contacts all results are kept: each pair that touches
+ * has a slot of its own. */
 #ifndef TS_NEIGH_FORCE_SLOTS_H
 #define TS_NEIGH_FORCE_SLOTS_H
 

@@ -20,14 +20,20 @@ static void update_bound_pointer(struct ts_column *c)
 		*c->bound = c->data;
 }
 
-static enum ts_status reallocate_column(struct tsim *sim, struct ts_column *c, size_t rows, size_t capacity)
+/* Keeps the first `rows` rows; those after them up to `needed` become zero; spare ones behind are not written, so that they
+ * take no memory. */
+static enum ts_status reallocate_column(struct tsim *sim, struct ts_column *c, size_t rows, size_t needed,
+					size_t capacity)
 {
-	void *data = ts_alloc_aligned(capacity * c->width, c->element);
+	size_t row = c->width * c->element;
+	char *data = ts_alloc_unset(capacity, row);
 
 	if (!data)
 		return ts_nomem(&sim->error);
-	if (c->data)
-		memcpy(data, c->data, rows * c->width * c->element);
+	rows = c->data ? rows : 0;
+	if (rows)
+		memcpy(data, c->data, rows * row);
+	memset(data + rows * row, 0, (needed - rows) * row);
 	ts_shared_buffer_free(&sim->holds, c->data);
 	c->data = data;
 	update_bound_pointer(c);
@@ -47,7 +53,7 @@ enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows)
 		capacity = 16;
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active)
-			TS_TRY(reallocate_column(sim, &p->column[k], p->n + p->nghost, capacity));
+			TS_TRY(reallocate_column(sim, &p->column[k], p->n + p->nghost, rows, capacity));
 	p->capacity = capacity;
 	return TS_OK;
 }
@@ -78,7 +84,7 @@ enum ts_status ts_particles_need(struct tsim *sim, unsigned columns)
 			continue;
 		c->active = true;
 		if (p->capacity)
-			TS_TRY(reallocate_column(sim, c, 0, p->capacity));
+			TS_TRY(reallocate_column(sim, c, 0, p->capacity, p->capacity));
 	}
 	return TS_OK;
 }
@@ -110,7 +116,7 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 				 .width = width,
 				 .flags = flags,
 				 .active = true };
-	if (!c->name || (p->capacity && reallocate_column(sim, c, 0, p->capacity) != TS_OK))
+	if (!c->name || (p->capacity && reallocate_column(sim, c, 0, p->capacity, p->capacity) != TS_OK))
 		return ts_nomem(&sim->error);
 	p->ncolumns++;
 	return TS_OK;

@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "core/sim.h"
 #include "neigh/active_pairs.h"
+#include "neigh/contact_memory.h"
 #include "neigh/force_slots.h"
 #include "neigh/neigh.h"
 #include "neigh/touching_sums.h"
@@ -223,8 +224,30 @@ START_TEST(looked_at)
 }
 END_TEST
 
-/* Kept results: each active pair has a slot, those of touching pairs are first, without gaps; what is read of a pair that
- * does not touch is zero. */
+/* Pairs that have begun to touch where all results are kept: slots of their own, without gaps. */
+static void begun_slots(const struct ts_contact_list *rows)
+{
+	uint8_t *used = ts_alloc(rows->n + 2, 1);
+	size_t touching = 0, begun = 0;
+
+	ck_assert_int_eq(rows->results, TS_RESULTS_KEPT);
+	for (size_t r = 0; r < rows->n; r++) {
+		size_t slot = ts_contact_slot(rows, r);
+
+		if (!ts_contact_touches(rows, r))
+			continue;
+		deck_assert(slot < *rows->next_slot && slot != rows->zero_slot && !used[slot]);
+		used[slot] = 1;
+		touching++;
+		begun += slot > rows->zero_slot;
+	}
+	ck_assert_uint_gt(begun, 0);
+	ck_assert_uint_eq(*rows->next_slot, rows->zero_slot + 1 + begun);
+	ck_assert_uint_lt(*rows->next_slot, touching + touching / 4);
+	ts_free(used);
+}
+
+/* Kept results: those of touching pairs are first, without gaps; no other pair has a slot, and what is read of it is zero. */
 START_TEST(kept_slots)
 {
 	struct tsim *sim = shake("p p p", 1 + _i, "run 30");
@@ -232,6 +255,7 @@ START_TEST(kept_slots)
 	uint8_t *used = ts_alloc(rows->n + 1, 1);
 	size_t touching = 0;
 
+	begun_slots(rows);
 	rows->active_chosen = false;
 	ck_assert_int_eq(ts_force_slots_prepare(sim, rows, true), TS_OK);
 	ck_assert_int_eq(rows->results, TS_RESULTS_KEPT);
@@ -242,9 +266,10 @@ START_TEST(kept_slots)
 		deck_assert(ts_contact_touches(rows, r) ? kept == slot && slot < rows->zero_slot
 							: kept == rows->zero_slot);
 		deck_assert(ts_contact_force(rows, kept)[0] == 0);
+		deck_assert(ts_contact_touches(rows, r) || slot == TS_PAIR_INACTIVE);
 		if (slot == TS_PAIR_INACTIVE)
 			continue;
-		deck_assert(slot <= rows->n && slot != rows->zero_slot && !used[slot]);
+		deck_assert(!used[slot]);
 		deck_assert((slot + 1) * (size_t)rows->parts <= rows->result_capacity);
 		used[slot] = 1;
 	}
@@ -252,6 +277,48 @@ START_TEST(kept_slots)
 	ck_assert_uint_eq(rows->zero_slot, touching);
 	ts_free(used);
 	tsim_close(sim);
+}
+END_TEST
+
+/* Only pairs that touch have history, which stays the same when all pairs get entries. */
+START_TEST(history_entries)
+{
+	struct tsim *sim = shake("p p p", 1 + _i, "run 30");
+	struct ts_contact_list *rows = &sim->neigh->contacts;
+	size_t width = rows->history_width, touching = 0, slid = 0;
+	double *before = ts_alloc(rows->n * width, sizeof *before);
+
+	ts_contacts_store_history(sim, rows);
+	for (size_t r = 0; r < rows->n; r++) {
+		touching += ts_contact_touches(rows, r);
+		memcpy(before + r * width, ts_contact_history(rows, r), width * sizeof *before);
+		deck_assert(ts_contact_touches(rows, r) != (ts_contact_history(rows, r) == rows->history));
+		deck_assert(ts_contact_touches(rows, r) || before[r * width] == 0);
+		slid += before[r * width] != 0;
+	}
+	ck_assert_uint_eq(ts_contacts_with_history(rows), touching);
+	ck_assert_uint_gt(slid, touching / 2);
+	ts_contacts_spread_history(rows);
+	for (size_t r = 0; r < rows->n; r++)
+		deck_assert(memcmp(before + r * width, ts_contact_history(rows, r), width * sizeof *before) ==
+			    0);
+	ts_free(before);
+	tsim_close(sim);
+}
+END_TEST
+
+/* A block of several pages and parts of pages, of which some bytes at both ends keep their values. */
+START_TEST(cleared)
+{
+	enum { BYTES = 20011 };
+	const size_t from[] = { 0, 1, 64, 4095 }, to[] = { BYTES, BYTES - 1, 70, 4097 };
+	unsigned char *block = ts_alloc_unset(BYTES, 1);
+
+	memset(block, 85, BYTES);
+	ts_alloc_clear(block + from[_i], to[_i] - from[_i]);
+	for (size_t k = 0; k < BYTES; k++)
+		deck_assert(block[k] == (k >= from[_i] && k < to[_i] ? 0 : 85));
+	ts_free(block);
 }
 END_TEST
 
@@ -311,6 +378,8 @@ int main(void)
 	tcase_add_loop_test(tests, none_missed, 0, 2);
 	tcase_add_loop_test(tests, same_bits, 0, 2);
 	tcase_add_loop_test(tests, kept_slots, 0, 3);
+	tcase_add_loop_test(tests, history_entries, 0, 2);
+	tcase_add_loop_test(tests, cleared, 0, 4);
 	tcase_add_loop_test(tests, memory_serves_again, 0, 2);
 	tcase_add_test(tests, looked_at);
 	tcase_add_test(tests, stopped);

@@ -7,6 +7,7 @@
 
 #include "box/domain.h"
 #include "math/rng.h"
+#include "neigh/contact_memory.h"
 #include "neigh/neigh.h"
 #include "particle/columns.h"
 #include "particle/exchange.h"
@@ -262,10 +263,18 @@ static int mark(struct tsim *sim)
 		int a = ts_contact_tag(rows, r, 0), b = ts_contact_tag(rows, r, 1);
 
 		ts_contact_set_touching(rows, r, (a + b) % 3 != 0);
-		rows->history[2 * r] = ts_contact_touches(rows, r) ? label(a, b) : 0;
-		rows->history[2 * r + 1] = ts_contact_touches(rows, r) ? (a < b ? 1 : -1) * label(a, b) : 0;
 		marked += ts_contact_touches(rows, r);
 	}
+	ts_contacts_note_history(sim, rows);
+	for (size_t r = 0; r < rows->n; r++) {
+		int a = ts_contact_tag(rows, r, 0), b = ts_contact_tag(rows, r, 1);
+
+		if (!ts_contact_touches(rows, r))
+			continue;
+		ts_contact_history(rows, r)[0] = label(a, b);
+		ts_contact_history(rows, r)[1] = (a < b ? 1 : -1) * label(a, b);
+	}
+	ck_assert_uint_eq(ts_contacts_with_history(rows), (size_t)marked);
 	return marked;
 }
 
@@ -280,8 +289,8 @@ static void check_marks(const struct tsim *sim, int marked)
 		if (a == b)
 			continue;
 		ck_assert_int_eq(ts_contact_touches(rows, r), (a + b) % 3 != 0);
-		ck_assert_double_eq(rows->history[2 * r], expected);
-		ck_assert_double_eq(rows->history[2 * r + 1], (a < b ? 1 : -1) * expected);
+		ck_assert_double_eq(ts_contact_history(rows, r)[0], expected);
+		ck_assert_double_eq(ts_contact_history(rows, r)[1], (a < b ? 1 : -1) * expected);
 		marked -= ts_contact_touches(rows, r);
 	}
 	ck_assert_int_eq(marked, 0);
@@ -355,8 +364,9 @@ START_TEST(history_through_face)
 	ck_assert_uint_eq(rows->n, 1);
 	for (size_t r = 0; r < rows->n; r++) {
 		ts_contact_set_touching(rows, r, true);
-		rows->history[2 * r] = 23.85;
-		rows->history[2 * r + 1] = ts_contact_tag(rows, r, 0) == 1 ? 3.7 : -3.7;
+		ts_contacts_note_history(sim, rows);
+		ts_contact_history(rows, r)[0] = 23.85;
+		ts_contact_history(rows, r)[1] = ts_contact_tag(rows, r, 0) == 1 ? 3.7 : -3.7;
 	}
 	for (int step = 0; step < 30; step++) {
 		for (size_t i = 0; i < 2; i++)
@@ -365,8 +375,8 @@ START_TEST(history_through_face)
 		ck_assert_uint_ge(rows->n, 1);
 		for (size_t r = 0; r < rows->n; r++) {
 			ck_assert_msg(ts_contact_touches(rows, r), "lost at step %d", step);
-			ck_assert_double_eq(rows->history[2 * r], 23.85);
-			ck_assert_double_eq(rows->history[2 * r + 1],
+			ck_assert_double_eq(ts_contact_history(rows, r)[0], 23.85);
+			ck_assert_double_eq(ts_contact_history(rows, r)[1],
 					    ts_contact_tag(rows, r, 0) == 1 ? 3.7 : -3.7);
 		}
 	}
