@@ -367,7 +367,8 @@ unit_tests = \
 	tests/stability/check_relaxation \
 	tests/study/check_secant \
 	tests/thermo/check_progress \
-	tests/voxel/check_voxel
+	tests/voxel/check_voxel \
+	tests/wall/check_wall_contacts
 libtests_a_SOURCES = \
 	tests/cloud.c \
 	tests/cloud.h \
@@ -818,3 +819,7 @@ tests_thermo_check_progress_LDADD = $(tests_ldadd)
 tests_voxel_check_voxel_SOURCES = tests/voxel/check_voxel.c
 tests_voxel_check_voxel_CFLAGS = $(tests_cflags)
 tests_voxel_check_voxel_LDADD = $(tests_ldadd)
+
+tests_wall_check_wall_contacts_SOURCES = tests/wall/check_wall_contacts.c
+tests_wall_check_wall_contacts_CFLAGS = $(tests_cflags)
+tests_wall_check_wall_contacts_LDADD = $(tests_ldadd)

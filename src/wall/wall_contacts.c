@@ -11,15 +11,23 @@
 
 void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *rebuild, size_t width)
 {
-	rebuild->old = *c;
-	*c = (struct ts_wall_contacts){ .width = width, .want_reports = rebuild->old.want_reports };
+	struct ts_wall_contacts *old = &rebuild->old;
+
+	*old = *c;
+	*c = (struct ts_wall_contacts){ .width = width,
+					.want_reports = old->want_reports,
+					.row = old->row,
+					.row_capacity = old->row_capacity,
+					.force = old->force,
+					.force_capacity = old->force_capacity,
+					.expected = old->n + old->n / 8 };
+	old->row = NULL;
+	old->force = NULL;
+	old->row_capacity = old->force_capacity = 0;
 }
 
-enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element,
-				    int image)
+static enum ts_status reserve(struct tsim *sim, struct ts_wall_contacts *c, size_t n)
 {
-	size_t n = c->n + 1;
-
 	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK || TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
 	    TS_GROW(c->touching, c->touching_capacity, n) != TS_OK ||
 	    TS_GROW(c->last, c->last_capacity, n) != TS_OK ||
@@ -27,6 +35,13 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
 	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
 		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element,
+				    int image)
+{
+	TS_TRY(reserve(sim, c, c->n || !c->expected ? c->n + 1 : c->expected));
 	c->row[c->n] = (int32_t)i;
 	c->key[c->n][0] = sim->particles->tag[i];
 	c->key[c->n][1] = element;

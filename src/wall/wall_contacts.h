@@ -51,6 +51,7 @@ struct ts_wall_contacts {
 	double *memory;
 	double (*force)[3]; /* on the particle, in this step */
 	size_t width;	    /* history values of each contact */
+	size_t expected;    /* room to begin with: a little more than the list before had; 0: not known */
 	bool want_reports;
 	struct ts_wall_report *report; /* NULL if no output needs them */
 	size_t row_capacity, key_capacity, touching_capacity, last_capacity, memory_capacity, force_capacity,
