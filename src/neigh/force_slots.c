@@ -84,9 +84,8 @@ static enum ts_status find_chunks(struct tsim *sim, struct ts_contact_list *list
 struct slot_task {
 	struct ts_contact_list *list;
 	uint32_t *used; /* by share: number of slots that it needs */
-	uint32_t *free; /* by active pair: stacks of free slots, one in each share */
-	/* Pairs are linked to the chunk that sums them last. By active pair: index + 1 of the next one, 0: none; by share and
-	 * chunk: the first one. */
+	/* Pairs are linked to the chunk that sums them last, then, as their slots are free, to the pair whose slot became free
+	 * before. By active pair: index + 1 of the next one, 0: none; by share and chunk: the first one. */
 	uint32_t *next, *last_summed;
 };
 
@@ -109,9 +108,8 @@ static void assign_slots(const struct slot_task *s, size_t share)
 {
 	struct ts_contact_list *list = s->list;
 	const struct ts_contact_span *span = &list->span[share];
-	uint32_t used = 0, *free = s->free + span->active,
-		 *last_summed = s->last_summed + share * list->chunks;
-	size_t c = 0, done, n = 0;
+	uint32_t used = 0, free = 0 /* pair + 1 */, *last_summed = s->last_summed + share * list->chunks;
+	size_t c = 0, done;
 
 	for (size_t b = span->block; b < span->block_end; b++) {
 		const struct ts_active_block *block = &list->block[b];
@@ -119,13 +117,17 @@ static void assign_slots(const struct slot_task *s, size_t share)
 
 		for (size_t at = block->first; at < end; at++) {
 			link_pair(s, last_summed, at);
-			list->active[at].slot = n ? free[--n] : used++;
+			list->active[at].slot = free ? list->active[free - 1].slot : used++;
+			free = free ? s->next[free - 1] : 0;
 		}
 		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_PER_SUM)
 			continue;
 		while ((done = ts_contact_chunk_done(list, span->active, end, &c)) < list->chunks)
-			for (uint32_t at = last_summed[done]; at; at = s->next[at - 1])
-				free[n++] = list->active[at - 1].slot;
+			for (uint32_t at = last_summed[done], next; at; at = next) {
+				next = s->next[at - 1];
+				s->next[at - 1] = free;
+				free = at;
+			}
 	}
 	s->used[share] = used;
 }
@@ -155,12 +157,11 @@ static void offset_slots_shares(void *context, size_t from, size_t to)
 static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *room)
 {
 	struct slot_task s = { list, ts_alloc((size_t)list->shares, sizeof *s.used),
-			       ts_alloc_unset(list->n, sizeof *s.free),
 			       ts_alloc_unset(list->n, sizeof *s.next),
 			       ts_alloc((size_t)list->shares * list->chunks, sizeof *s.last_summed) };
 	enum ts_status status = TS_NOMEM;
 
-	if (s.used && s.free && s.next && s.last_summed) {
+	if (s.used && s.next && s.last_summed) {
 		ts_parallel(list->shares, (size_t)list->shares, assign_shares_range, &s);
 		ts_parallel(list->shares, (size_t)list->shares, offset_slots_shares, &s);
 		*room = 0;
@@ -169,7 +170,6 @@ static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *
 		status = TS_OK;
 	}
 	ts_free(s.used);
-	ts_free(s.free);
 	ts_free(s.next);
 	ts_free(s.last_summed);
 	return status;
