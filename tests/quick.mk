@@ -35,7 +35,7 @@
 #       9    wear/evolve_voxel.sh           wear/evolve_mesh.sh
 #       7    examples/erosion_ladder.sh     insert/jet.sh, coupling/check_drag
 #       6    examples/drilling.sh           bond/check_bonds
-#       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
+#       8    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
 #      12    examples/scratch.sh            bond/check_element, bond/parallel.sh
 #      48    examples/everyday.sh           mesh/mesh_primitive.sh, shape/check_shapes
 #      20    examples/rock.sh               bond/check_element, bond/parallel.sh
