@@ -130,6 +130,10 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 	size_t n;
 	va_list args;
 
+	if (log->withholds) {
+		log->withheld++;
+		return;
+	}
 	log->warnings++;
 	if (place && place->line)
 		snprintf(where, sizeof where, "%s:%d: ", place->file, place->line);

@@ -23,6 +23,8 @@ struct ts_log {
 	bool progress_shown;	     /* a progress line is shown on the screen */
 	bool quiet;		     /* print warnings only */
 	int warnings;
+	bool withholds; /* -check: warnings are counted in `withheld` instead, since they may follow from unknown values */
+	int withheld;
 	ts_log_sink_fn *sink; /* callback that gets all screen output, even without a screen; or NULL */
 	void *sink_data;
 	/* Callback that gets a copy of what is printed to the screen, of warnings and of settings: the report of a

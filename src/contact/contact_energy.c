@@ -3,8 +3,8 @@
 #include "bond/bond_moment.h"
 #include "contact/contact_loop.h"
 #include "law/elastic_energy.h"
-#include "particle/group_moments.h"
 #include "neigh/contact_memory.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

@@ -22,8 +22,8 @@ struct ts_contact_task {
 };
 
 /* Begins a contact: the pair `at` of the block becomes the last of the touching ones, with the history that
- * it has in the list: that is read only where it may not be zero, as it is not in the cache. Where all results are kept, it gets its slot when it
- * first touches; which slot depends on the threads, but is of no effect. */
+ * it has in the list: that is read only where it may not be zero, as it is not in the cache. Where all results
+ * are kept, it gets its slot when it first touches; which slot depends on the threads, but is of no effect. */
 TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_active_block *block, size_t at)
 {
 	struct ts_active_pair *active = list->active + block->first, pair = active[at];

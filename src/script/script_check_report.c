@@ -180,8 +180,8 @@ enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *e
 		ts_str_addf(report, "; %d more message%s left out, since they may follow from these\n",
 			    check->left_out, check->left_out == 1 ? " was" : "s were");
 	if (check->open)
-		ts_str_addf(report, "%d message%s left out that depend on values known only in a run\n",
-			    check->open, check->open == 1 ? " was" : "s were");
+		ts_str_addf(report, "%d message%s on values known only in a run\n", check->open,
+			    check->open == 1 ? " was left out that depends" : "s were left out that depend");
 	*nerrors = check->nerrors;
 	return status;
 }

@@ -439,6 +439,25 @@ END
 shows 'left out' out
 report 'says that messages were left out' $? out
 
+# nor a warning that follows from a value known only in a run; one of known values stays
+check guess.in <<'END'
+region b block 0 0.5 0 0.5 0 0.5 units box
+create_box 1 b
+create_atoms 1 single 0.1 0.1 0.1 units box
+set type 1 diameter 0.1
+fix move all nve/sphere
+timestep 1e-5
+run 10
+variable top equal bound(all,zmax)+0.1
+create_atoms 1 single 0.1 0.1 ${top} units box
+create_atoms 1 single 0.1 0.1 0.7 units box
+run 10
+END
+shows 'no errors' out && shows 'guess.in:10: warning: (0.1 0.1 0.7) lies outside the box' out && ! grep -q 'guess.in:9' out err
+report 'no warning that only follows' $? out
+shows '1 message was left out that depends' out
+report 'counts the warning that was left out' $? out
+
 # a lost name in quotes does not make an error one that follows: it must be what is missing
 check alike.in <<'END'
 variable stif equal 1 2
