@@ -1,13 +1,13 @@
 /* Particles that commands make before the first run: each rank keeps its own of them. */
 #include <string.h>
 
-#include "base/sort.h"
 #include "box/domain.h"
 #include "core/ranks.h"
 #include "core/ranks_pause.h"
 #include "core/recorder.h"
 #include "particle/columns.h"
 #include "particle/division_blocks.h"
+#include "particle/identity.h"
 #include "particle/shared_rows.h"
 
 #include "base/banned.h"
@@ -22,44 +22,15 @@ bool ts_division_can_make(const struct tsim *sim)
 	       !(sim->recorder && sim->recorder->records(sim->recorder)) && (begins || sim->run.made);
 }
 
-struct named_row {
-	int32_t tag, row;
-};
-
-static int compare_tags(const void *a, const void *b)
-{
-	const struct named_row *p = a, *q = b;
-
-	return (p->tag > q->tag) - (p->tag < q->tag);
-}
-
-/* In the order in which they were made. */
-static enum ts_status sort_by_tag(struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-	struct named_row *named = ts_alloc(p->n, sizeof *named);
-	int32_t *order = ts_alloc(p->n, sizeof *order);
-	enum ts_status status = named && order ? TS_OK : ts_nomem(&sim->error);
-
-	for (size_t i = 0; status == TS_OK && i < p->n; i++)
-		named[i] = (struct named_row){ p->tag[i], (int32_t)i };
-	if (status == TS_OK) {
-		ts_sort(named, p->n, sizeof *named, compare_tags);
-		for (size_t i = 0; i < p->n; i++)
-			order[i] = named[i].row;
-		status = ts_particles_reorder(sim, order);
-	}
-	ts_free(named);
-	ts_free(order);
-	return status;
-}
-
-/* All ranks get the particles of all. */
+/* All ranks get the particles of all, in the order in which they were made. */
 static enum ts_status share_made(struct tsim *sim, void *data)
 {
+	struct ts_identities map;
+
 	(void)data;
 	TS_TRY(ts_shared_rows(sim, TS_SHARED_BY_RANK, NULL));
-	return sort_by_tag(sim);
+	TS_TRY(ts_identities(sim, true, &map));
+	return ts_particles_reorder(sim, map.row);
 }
 
 static enum ts_status begin_making(struct tsim *sim, struct ts_placed placed)
