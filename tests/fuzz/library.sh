@@ -3,6 +3,7 @@
 # that it compares, so that these are tried. The rest has the same sanitizers and counters of its branches, but is compiled
 # without optimisation, and its comparisons, most of them in loops over particles, are not told. Each compiler gets many files:
 # to start one for each took a third of the time. Files that have changed are compiled, and all after a header has.
+unset MAKEFLAGS MFLAGS MAKELEVEL # of the make that starts the tests: what make prints here is read
 src=$top_srcdir/src
 here=$top_srcdir/tests/fuzz
 make -s page_text.c || exit 1

@@ -259,7 +259,7 @@ create_box 1 box
 flow_style projection cells 10 10 1 viscosity 1 density 1
 timestep 1e-4'
 rejects "$plane
-fix rough all surface/voxel constant 0.4 base -1 type 1 cells 5 5
+fix rough all surface/voxel constant 0.4 base -0.4 type 1 cells 5 5
 fix b all immersed/boundary surface rough
 run 1" 'the heights of rough cannot be along z; use `normal y`'
 rejects "$plane
