@@ -82,3 +82,16 @@ most_bytes() {
 	report "bytes of a particle on $1 ranks" $? compared
 	cat compared
 }
+
+# laws: of a script, what follows its grains of about diameter 1
+laws() {
+	cat <<'E2'
+pair_style	gran/hertz/history 1000 NULL 50 NULL 0.5 1
+pair_coeff	* *
+neighbor	0.3 bin
+fix		move all nve/sphere
+fix		fall all gravity 0.5 vector 0 0 -1
+fix		floor all wall/gran hertz/history 1000 NULL 50 NULL 0.5 1 zplane 0 NULL
+timestep	0.005
+E2
+}

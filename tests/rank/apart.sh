@@ -8,18 +8,6 @@
 has_ranks || exit 77
 export OMP_NUM_THREADS=1
 
-# laws: what follows the particles
-laws() {
-	cat <<'E2'
-pair_style	gran/hertz/history 1000 NULL 50 NULL 0.5 1
-pair_coeff	* *
-neighbor	0.3 bin
-fix		move all nve/sphere
-fix		fall all gravity 0.5 vector 0 0 -1
-fix		floor all wall/gran hertz/history 1000 NULL 50 NULL 0.5 1 zplane 0 NULL
-timestep	0.005
-E2
-}
 {
 	cat <<'E2'
 units		lj

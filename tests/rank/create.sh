@@ -17,17 +17,6 @@ region		box block 0 ${n} 0 ${n} 0 $(2*v_n) units box
 create_box	3 box
 region		fill block 0 ${n} 0 ${n} 0 ${n} units box
 lattice		sc 1.0 origin 0.5 0.5 0.5
-E
-}
-laws() {
-	cat <<'E'
-pair_style	gran/hertz/history 1000 NULL 50 NULL 0.5 1
-pair_coeff	* *
-neighbor	0.3 bin
-fix		move all nve/sphere
-fix		fall all gravity 0.5 vector 0 0 -1
-fix		floor all wall/gran hertz/history 1000 NULL 50 NULL 0.5 1 zplane 0 NULL
-timestep	0.005
 thermo_style	custom step atoms ke erotate fmax fnorm density
 thermo_modify	lost ignore
 E

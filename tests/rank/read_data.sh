@@ -27,19 +27,6 @@ grains() {
 			print 3 * k + 1, 0.01 * (k % 13), 0, -0.02 * (k % 3), 0, 0.1 * (k % 2), 0
 	}'
 }
-laws() {
-	cat <<'E'
-pair_style	gran/hertz/history 1000 NULL 50 NULL 0.5 1
-pair_coeff	* *
-neighbor	0.3 bin
-fix		move all nve/sphere
-fix		fall all gravity 0.5 vector 0 0 -1
-fix		floor all wall/gran hertz/history 1000 NULL 50 NULL 0.5 1 zplane 0 NULL
-timestep	0.005
-thermo_style	custom step atoms ke erotate fmax fnorm density
-thermo_modify	lost ignore
-E
-}
 # reading WORDS...: a script that reads the file
 reading() {
 	printf 'units lj\natom_style sphere\nboundary p f f\nread_data %s\n' "$*"
@@ -47,6 +34,8 @@ reading() {
 set type 2 density 1.2
 group left id < 300
 velocity left set 0.1 0 0 sum yes
+thermo_style	custom step atoms ke erotate fmax fnorm density
+thermo_modify	lost ignore
 E
 	laws
 	cat <<'E'
