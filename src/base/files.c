@@ -425,20 +425,6 @@ bool ts_files_shared(const struct ts_files *files)
 	return ts_peers(files);
 }
 
-FILE *ts_files_open_along_of(struct ts_files *files, const char *path, const char *script)
-{
-	struct ts_str beside = { 0 };
-	FILE *file = ts_files_open_along(files, path);
-
-	if (!file && errno == ENOENT && script && ts_files_beside(&beside, script, path) && !beside.failed) {
-		file = ts_files_open_along(files, ts_str_text(&beside));
-		if (!file)
-			errno = ENOENT;
-	}
-	ts_str_release(&beside);
-	return file;
-}
-
 void *ts_files_open_gz(struct ts_files *files, const char *path)
 {
 	gzFile file;

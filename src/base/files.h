@@ -59,8 +59,6 @@ const char *ts_files_why(const struct ts_files *files);
 FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode);
 /* A file to read, of which no process has a copy: all of them read the same bytes in the same order. */
 FILE *ts_files_open_along(struct ts_files *files, const char *path);
-/* The same; a file that does not exist is looked for in the folder of `script`, too (NULL: none). */
-FILE *ts_files_open_along_of(struct ts_files *files, const char *path, const char *script);
 /* Whether several processes read the same files. */
 bool ts_files_shared(const struct ts_files *files);
 void *ts_files_open_gz(struct ts_files *files, const char *path); /* gzFile, to read */

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include "base/input_limit.h"
@@ -40,6 +41,14 @@ enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct 
 	return errno ? ts_textfile_open_failed(err, files, where, path) : ts_nomem(err);
 }
 
+/* One that can be opened again, as a pipe cannot. */
+static bool is_regular(struct ts_files *files, const char *path)
+{
+	struct stat info;
+
+	return ts_files_stat(files, path, &info) == 0 && S_ISREG(info.st_mode);
+}
+
 /* The bytes that a file of gzip begins with. */
 static bool is_compressed(const char *bytes, size_t n)
 {
@@ -53,14 +62,14 @@ enum ts_status ts_lines_open_along(struct ts_lines *l, struct ts_files *files, s
 	char start[2];
 	size_t n = 0;
 
-	if (ts_files_shared(files))
-		along = ts_files_open_along_of(files, path, where ? where->file : NULL);
+	if (ts_files_shared(files) && is_regular(files, path))
+		along = ts_files_open_along(files, path);
 	if (along)
 		n = fread(start, 1, sizeof start, along);
 	if (!along || is_compressed(start, n)) {
 		if (along)
 			fclose(along);
-		return ts_lines_open(l, files, err, pool, where, path); /* it tells what is wrong */
+		return ts_lines_open(l, files, err, pool, where, path);
 	}
 	if (init_lines(l, err, pool, path) == TS_OK)
 		l->buffer = ts_alloc(CHUNK, 1);

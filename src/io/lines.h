@@ -45,7 +45,7 @@ struct ts_lines {
 enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
 			     struct ts_pool *pool, const struct ts_place *where, const char *path);
 /* The same for a large file that several processes read together, in pieces that each of them gets: they all read the same lines
- * up to the same one. */
+ * up to the same one. Of a pipe, and of a compressed file, each has a copy. */
 enum ts_status ts_lines_open_along(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
 				   struct ts_pool *pool, const struct ts_place *where, const char *path);
 /* Reads from memory; `name` stands for the file in messages. The bytes must exist until ts_lines_close. */

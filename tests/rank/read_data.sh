@@ -53,6 +53,16 @@ same_on plain 2 3 4 7
 gathered 0 4
 reading packed.data.gz >in.gz
 same_on gz 3
+mkfifo pipe
+sed 's/grains.data/pipe/' in.plain >in.pipe
+for file in grains.data packed.data.gz; do # read before the writer ends, from the copy that the first rank gives the others
+	cat "$file" >pipe &
+	on_ranks 3 timeout 60 "$TSIM" -in in.pipe -log none -screen none -var out piped >out 2>&1 </dev/null
+	report "$file through a pipe on 3 ranks" $? out
+	"$TSIM" -in in.plain -log none -screen none -var out plain >out 2>&1
+	same "the same particles" plain.dump piped.dump
+	wait
+done
 reading grains.data extra/atom/types 2 offset 1 0 shift 0 0 0.25 group rock >in.words
 same_on words 2
 grains 2 >few.data
