@@ -21,8 +21,8 @@ const struct ts_command_style ts_command_comm_style = {
 		.kind = TS_KIND_COMMAND,
 		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "In LAMMPS this command sets how the box is divided among processes. tsim distributes "
-		       "particles over threads, independent of their positions.",
+		.doc = "In LAMMPS this command sets how the box is divided among processes. In tsim `processors` "
+		       "and `balance` do so; results do not depend on it.",
 		.example = "comm_style tiled",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -26,9 +26,9 @@ const struct ts_command_style ts_command_communicate = {
 		.kind = TS_KIND_COMMAND,
 		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "In LAMMPS this command controls how processes exchange ghost particles. tsim has one "
-		       "process; its ghosts are periodic images, which always carry velocities and reach as "
-		       "far as contacts need, so no argument changes a result.",
+		.doc = "In LAMMPS this command controls how processes exchange ghost particles. In tsim ghosts "
+		       "are periodic images, and copies of particles of other ranks; they always carry velocities and "
+		       "reach as far as contacts need, so no argument changes a result.",
 		.example = "communicate single vel yes",
 		.args = args,
 		.state_size = sizeof(struct state),

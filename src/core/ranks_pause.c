@@ -75,8 +75,7 @@ enum ts_status ts_ranks_look(struct tsim *sim)
 	if (sim->run.rowwise) /* the command has counted the particles of this rank */
 		return ts_fail(&sim->error, TS_STATE, NULL,
 			       "a value that depends on all particles is needed while a command acts on "
-			       "those "
-			       "of each rank");
+			       "those of each rank");
 	return sim->run.paused && sim->division ? get_all_once(sim, false) : TS_OK;
 }
 

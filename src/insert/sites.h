@@ -20,7 +20,7 @@ struct ts_sites {
 enum ts_status ts_sites_add(struct tsim *sim, struct ts_sites *sites, const double x[3], int type);
 void ts_sites_release(struct ts_sites *sites);
 
-/* The sites of part k of n rows begin at row ts_sites_first(sites, n) and end before *end. */
+/* Of n rows those of this part begin at the returned one, and end before *end. */
 size_t ts_sites_first(const struct ts_sites *sites, size_t n, size_t *end);
 
 /* Numbers the sites; *all: of all parts. With several ranks, each of which has found one of the parts, or all sites, each gets
@@ -34,8 +34,9 @@ bool ts_sites_in_box(const struct tsim *sim, const double x[3]);
 void ts_sites_limits(const struct tsim *sim, const struct ts_instance *region, double lo[3], double hi[3]);
 
 /* Adds all lattice points in the box and the region (or NULL), in the order z, y, x of cells, then of basis
- * points; of parts those of some rows of cells. type_of_basis[k]: type of basis point k. In periodic dimensions the window is shifted by 1e-6 box
- * lengths downwards and is 1e-6 shorter, so that rounding neither loses nor duplicates points on faces. */
+ * points; of parts those of some rows of cells. type_of_basis[k]: type of basis point k. In periodic dimensions
+ * the window is shifted by 1e-6 box lengths downwards and is 1e-6 shorter, so that rounding neither loses nor
+ * duplicates points on faces. */
 enum ts_status ts_sites_on_lattice(struct tsim *sim, const struct ts_instance *region,
 				   const int *type_of_basis, const struct ts_place *where,
 				   struct ts_sites *sites);

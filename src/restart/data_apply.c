@@ -88,11 +88,24 @@ static void extend_box(const struct ts_data *data, const double shift[3], struct
 	}
 }
 
+/* Where the particle is, in a periodic box, and its image flags there. */
+static void find_place(const struct tsim *sim, const struct ts_data_atom *a, const double shift[3],
+		       double x[3], int32_t image[3])
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int d = 0; d < 3; d++) {
+		x[d] = a->x[d] + shift[d];
+		image[d] = a->image[d];
+		if (ts_box_periodic(box, d))
+			(void)ts_box_wrap(box, d, &x[d], &image[d]);
+	}
+}
+
 static void set_atom(struct tsim *sim, const struct ts_data *data, const struct ts_data_atom *a,
 		     const struct ts_data_options *o, size_t i)
 {
 	struct ts_particles *p = sim->particles;
-	const struct ts_box *box = &sim->domain->box;
 
 	p->tag[i] = (int32_t)(a->tag + o->tag_offset);
 	p->type[i] = (int32_t)(a->type + o->type_offset);
@@ -100,12 +113,9 @@ static void set_atom(struct tsim *sim, const struct ts_data *data, const struct 
 	p->mass[i] =
 		data->layout.sized ? a->density * ts_particle_volume(sim, p->radius[i]) : data->mass[a->type];
 	p->mask[i] |= 1u << o->group;
+	find_place(sim, a, o->shift, p->x[i], p->image[i]);
 	for (int d = 0; d < 3; d++) {
-		p->x[i][d] = a->x[d] + o->shift[d];
 		p->v[i][d] = a->v[d];
-		p->image[i][d] = a->image[d];
-		if (ts_box_periodic(box, d))
-			(void)ts_box_wrap(box, d, &p->x[i][d], &p->image[i][d]);
 		if (p->omega)
 			p->omega[i][d] = a->omega[d];
 	}
@@ -121,21 +131,6 @@ static bool has_rotation(const struct tsim *sim, const struct ts_data *data)
 		for (int d = 0; d < 3; d++)
 			has |= data->atom[k].omega[d] != 0;
 	return ts_ranks_most(sim, has) > 0;
-}
-
-/* Where the particle is, in a periodic box. */
-static void find_place(const struct tsim *sim, const struct ts_data_atom *a, const double shift[3],
-		       double x[3])
-{
-	const struct ts_box *box = &sim->domain->box;
-
-	for (int d = 0; d < 3; d++) {
-		int32_t turns = 0;
-
-		x[d] = a->x[d] + shift[d];
-		if (ts_box_periodic(box, d))
-			(void)ts_box_wrap(box, d, &x[d], &turns);
-	}
 }
 
 /* Each rank has some of the particles: gives them to the ranks of their places. */
@@ -161,7 +156,7 @@ static enum ts_status divide_atoms(struct tsim *sim, struct ts_data *data, const
 	enum ts_status status = x && to ? TS_OK : ts_nomem(&sim->error);
 
 	for (size_t k = 0; status == TS_OK && k < data->n; k++)
-		find_place(sim, &data->atom[k], shift, x[k]);
+		find_place(sim, &data->atom[k], shift, x[k], (int32_t[3]){ 0 });
 	if (status == TS_OK)
 		status = send_atoms(sim, data, x, to);
 	ts_free(x);
