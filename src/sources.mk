@@ -387,6 +387,8 @@ library_sources = \
 	src/coupling/cell_halves.h \
 	src/coupling/cell_order.c \
 	src/coupling/cell_order.h \
+	src/coupling/cell_rehearsal.c \
+	src/coupling/cell_rehearsal.h \
 	src/coupling/cell_rows.c \
 	src/coupling/cell_rows.h \
 	src/coupling/coupling_force.c \
@@ -589,6 +591,8 @@ library_sources = \
 	src/flow/stagnation_profile.h \
 	src/flow/step_diagnostics.c \
 	src/flow/step_diagnostics.h \
+	src/flow/step_rehearsal.c \
+	src/flow/step_rehearsal.h \
 	src/flow/time_schemes.c \
 	src/flow/time_schemes.h \
 	src/flow/transported_scalars.c \
@@ -1266,6 +1270,8 @@ library_sources = \
 	src/rank/blocks.h \
 	src/rank/loads.c \
 	src/rank/loads.h \
+	src/rank/rehearsal.c \
+	src/rank/rehearsal.h \
 	src/rank/slabs.c \
 	src/rank/slabs.h \
 	src/rank/transposition.c \

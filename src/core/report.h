@@ -26,6 +26,8 @@ struct ts_left_out {
 	double bytes;  /* memory that it would take, bytes; 0: none, or not known */
 	double share;  /* time that it would add, as a fraction of the time of a step; NaN: not known */
 };
+struct ts_rank_layout;
+struct ts_world_counts;
 struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
@@ -48,6 +50,16 @@ struct ts_plan_report {
 		int messages;
 		double bytes; /* of each copy */
 	} copied;
+	/* What else it sends. `count` adds to sent[r] what rank r sends in so many steps, with so many iterations of a solver.
+	 * NULL: nothing. */
+	struct ts_report_rehearsal {
+		struct ts_instance *self;
+		enum ts_status (*count)(struct ts_instance *self, struct tsim *sim,
+					const struct ts_rank_layout *layout, int iterations,
+					struct ts_world_counts *sent);
+		int64_t steps;
+		int looks; /* iterations from one look at the residual to the next; 0: no solver iterates */
+	} rehearsal;
 	struct ts_output *output;
 	size_t noutputs, output_capacity;
 };

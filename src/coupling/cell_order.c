@@ -181,13 +181,11 @@ static enum ts_status make_rows(struct ts_cell_sort *sort, struct tsim *sim, str
 	return TS_OK;
 }
 
-/* Ranks have cells of their own where there are more particles than a few for each cell: then the values of cells are less
- * to send than the particles of the other ranks. */
-static bool few_particles(const struct tsim *sim, const struct ts_grid *grid, double most)
+bool ts_cell_order_few(double most, int ranks, size_t cells)
 {
 	static const double FEW = 0.5;
 
-	return sim->world && most * sim->world->n < FEW * (double)ts_grid_cells(grid);
+	return most * ranks < FEW * (double)cells;
 }
 
 /* Between PRE_FORCE and POST_FORCE of a step no particle moves. */
@@ -209,6 +207,7 @@ static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, st
 				 int reach)
 {
 	double most[2] = { 0, (double)sim->particles->n };
+	bool few;
 
 	if (TS_GROW(sort->last, sort->last_capacity, sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -224,7 +223,8 @@ static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, st
 		return TS_OK;
 	}
 	use_own(sort, sim->particles);
-	if (make_rows(sort, sim, fluid, few_particles(sim, &fluid->grid, most[1])) != TS_OK) {
+	few = sim->world && ts_cell_order_few(most[1], sim->world->n, ts_grid_cells(&fluid->grid));
+	if (make_rows(sort, sim, fluid, few) != TS_OK) {
 		sort->nlast = SIZE_MAX;
 		return ts_nomem(&sim->error);
 	}

@@ -51,6 +51,10 @@ struct ts_cell_order {
 	size_t slab_capacity;
 };
 
+/* Whether there are so few particles for the cells that every rank has all cells: the values of cells would be more to send
+ * than the particles of the other ranks. `most`: particles of the rank that has most. */
+bool ts_cell_order_few(double most, int ranks, size_t cells);
+
 /* Sorts the particles, and selects those of the group; `reach`: number of cells beyond its own to which a particle
  * adds. */
 enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, struct ts_fluid *fluid,

@@ -33,9 +33,11 @@ enum ts_status ts_coupling_force_init(struct ts_instance *self, struct tsim *sim
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "%s needs a fluid with a density: give flow_style %s one", who,
 			       s->flow->style->name);
-	if (s->fluid && s->two_way && !style->internal)
-		return ts_fluid_require_fields(s->fluid, sim, TS_FLUID_FORCE);
-	return TS_OK;
+	s->part.sends = (struct ts_flow_part_sends){ .particles = false };
+	if (!s->fluid || !s->two_way || style->internal)
+		return TS_OK;
+	s->part.sends = (struct ts_flow_part_sends){ .particles = true, .numbers = 3, .reaction = true };
+	return ts_fluid_require_fields(s->fluid, sim, TS_FLUID_FORCE);
 }
 
 void ts_coupling_curl(const double gradient[3][3], double curl[3])

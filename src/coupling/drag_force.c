@@ -84,8 +84,13 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_fluid_require_fields(s->fluid, sim,
 					       s->lagged ? TS_FLUID_FORCE
 							 : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
-	if (s->fluid && s->two_way)
+	s->part.sends = (struct ts_flow_part_sends){ .particles = false };
+	if (s->fluid && s->two_way) {
 		s->part.order = &s->order;
+		s->part.sends = (struct ts_flow_part_sends){ .particles = true,
+							     .numbers = s->lagged ? 3 : 6,
+							     .reaction = true };
+	}
 	s->added = ts_added_mass_find(sim);
 	TS_TRY(find_relaxing_drags(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));

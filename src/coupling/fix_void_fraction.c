@@ -265,6 +265,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
 	s->part.volume_distribution = volume_distribution;
 	s->part.order = &s->order;
+	s->part.sends = (struct ts_flow_part_sends){ .particles = true, .fields = 1 };
 	s->sim = sim;
 	s->nlast = 0;
 	TS_TRY(compare_particles(self, sim, &moved, &largest));

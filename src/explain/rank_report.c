@@ -7,6 +7,7 @@
 #include "neigh/neigh.h"
 #include "particle/copies.h"
 #include "particle/rank_layout.h"
+#include "rank/world.h"
 
 #include "base/banned.h"
 
@@ -42,7 +43,18 @@ static size_t count_pairs(const struct tsim *sim, const struct ts_rank_layout *l
 }
 
 /* The numbers of a rank that are printed, and the time of its step. */
-enum { PARTICLES, COPIES, PAIRS, SHARED, MESSAGES, BYTES, SECONDS, NFACTS };
+enum {
+	PARTICLES,
+	COPIES,
+	PAIRS,
+	SHARED,
+	MESSAGES,
+	BYTES,
+	MESSAGES_OF_ITERATION, /* besides, of the solver for the pressure of a fluid: one in each solve of a step */
+	BYTES_OF_ITERATION,
+	SECONDS,
+	NFACTS
+};
 
 struct facts {
 	double first[NFACTS], mean[NFACTS], most[NFACTS];
@@ -58,9 +70,48 @@ static void add_facts(struct facts *facts, const double *of, int rank, int ranks
 	}
 }
 
+/* What a style sends besides: of each rank with `looks` iterations of its solver, then with twice as many. */
+struct rehearsed {
+	struct ts_world_counts *sent; /* [2 ranks]. Owned */
+	int64_t steps;
+	int looks;
+};
+
+static enum ts_status rehearse(struct tsim *sim, const struct ts_report_rehearsal *rehearsal,
+			       const struct ts_rank_layout *layout, struct rehearsed *out)
+{
+	const size_t ranks = (size_t)layout->ranks;
+
+	*out = (struct rehearsed){ ts_alloc(2 * ranks, sizeof *out->sent), rehearsal->steps,
+				   rehearsal->looks };
+	if (!out->sent)
+		return ts_nomem(&sim->error);
+	if (rehearsal->count)
+		TS_TRY(rehearsal->count(rehearsal->self, sim, layout, out->looks, out->sent));
+	return out->looks ? rehearsal->count(rehearsal->self, sim, layout, 2 * out->looks, out->sent + ranks)
+			  : TS_OK;
+}
+
+/* Adds what rank r sends in a step without iterations, and sets what it sends in an iteration. */
+static void add_rehearsed(const struct rehearsed *rehearsed, int ranks, int r, double *of)
+{
+	const struct ts_world_counts *once = &rehearsed->sent[r], *twice = once + ranks;
+	const double steps = rehearsed->steps ? (double)rehearsed->steps : 1;
+	double messages = (double)once->messages, bytes = (double)once->bytes;
+
+	if (rehearsed->looks) {
+		of[MESSAGES_OF_ITERATION] = (double)(twice->messages - once->messages) / rehearsed->looks;
+		of[BYTES_OF_ITERATION] = (double)(twice->bytes - once->bytes) / rehearsed->looks;
+		messages -= (double)(twice->messages - once->messages);
+		bytes -= (double)(twice->bytes - once->bytes);
+	}
+	of[MESSAGES] += messages / steps;
+	of[BYTES] += bytes / steps;
+}
+
 static void find_facts(const struct tsim *sim, const struct ts_plan_report *report,
-		       const struct ts_rank_layout *layout, const struct pairs *pairs, size_t all_pairs,
-		       double seconds, struct facts *facts)
+		       const struct ts_rank_layout *layout, const struct rehearsed *rehearsed,
+		       const struct pairs *pairs, size_t all_pairs, double seconds, struct facts *facts)
 {
 	double bytes = (double)ts_copies_step_bytes(sim->particles), n = (double)sim->particles->n,
 	       contacts = all_pairs ? OF_CONTACTS : 0;
@@ -80,6 +131,7 @@ static void find_facts(const struct tsim *sim, const struct ts_plan_report *repo
 
 		if (all_pairs)
 			work += contacts * of[PAIRS] / (double)all_pairs;
+		add_rehearsed(rehearsed, layout->ranks, r, of);
 		of[SECONDS] = seconds * work + LATENCY * of[MESSAGES] + of[BYTES] / BANDWIDTH;
 		add_facts(facts, of, r, layout->ranks);
 	}
@@ -91,21 +143,27 @@ static void print_facts(struct tsim *sim, const struct ts_rank_layout *layout, c
 		const char *name;
 		int fact;
 	} rows[] = {
-		{ "particles", PARTICLES },	      { "copies of others'", COPIES },
-		{ "candidate pairs", PAIRS },	      { "of them on two ranks", SHARED },
-		{ "messages sent a step", MESSAGES }, { "bytes sent a step", BYTES },
+		{ "particles", PARTICLES },
+		{ "copies of others'", COPIES },
+		{ "candidate pairs", PAIRS },
+		{ "of them on two ranks", SHARED },
+		{ "messages sent a step", MESSAGES },
+		{ "bytes sent a step", BYTES },
+		{ "messages an iteration", MESSAGES_OF_ITERATION },
+		{ "bytes an iteration", BYTES_OF_ITERATION },
 	};
+	const size_t nrows = sizeof rows / sizeof *rows - (facts->most[MESSAGES_OF_ITERATION] > 0 ? 0 : 2);
 
 	ts_log(&sim->log, "%d ranks, ", layout->ranks);
-	if (layout->bisected)
+	if (layout->blocks.bisection)
 		ts_log(&sim->log, "blocks of a recursive bisection");
 	else
-		ts_log(&sim->log, "%d x %d x %d blocks", layout->count[0], layout->count[1],
-		       layout->count[2]);
+		ts_log(&sim->log, "%d x %d x %d blocks", layout->blocks.count[0], layout->blocks.count[1],
+		       layout->blocks.count[2]);
 	ts_log(&sim->log, ", now:\n  %-22s %12s %12s %12s\n", "of a rank", "first", "mean", "most");
-	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
-		ts_log(&sim->log, "  %-22s %12.0f %12.1f %12.0f\n", rows[k].name, facts->first[rows[k].fact],
-		       facts->mean[rows[k].fact], facts->most[rows[k].fact]);
+	for (size_t k = 0; k < nrows; k++)
+		ts_log(&sim->log, "  %-22s %12.10g %12.1f %12.10g\n", rows[k].name,
+		       facts->first[rows[k].fact], facts->mean[rows[k].fact], facts->most[rows[k].fact]);
 }
 
 static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
@@ -128,9 +186,7 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 	ts_str_add(&text, " at outputs of contacts, in set-up with bonds, a fluid or insertions, and before "
 			  "another command\n");
 	if (report->whole > 0)
-		ts_str_add(&text,
-			   "  every rank has the whole grid of the fluid or automaton; messages by which "
-			   "ranks divide a fluid's steps are not counted\n");
+		ts_str_add(&text, "  every rank has the whole grid of the fluid or automaton\n");
 	else if (isfinite(seconds)) {
 		ts_str_add(&text, "  time per step about ");
 		ts_price_time(step, &text);
@@ -150,18 +206,22 @@ enum ts_status ts_rank_report(struct tsim *sim, const struct ts_plan_report *rep
 	int ranks = ts_ranks(sim);
 	struct pairs *pairs = ts_alloc((size_t)ranks, sizeof *pairs);
 	struct ts_rank_layout layout = { .ranks = ranks };
+	struct rehearsed rehearsed = { 0 };
 	enum ts_status status = pairs ? TS_OK : ts_nomem(&sim->error);
 
 	if (status == TS_OK)
 		status = ts_rank_layout_make(sim, ranks, sim->neigh->copy_reach, &layout);
+	if (status == TS_OK)
+		status = rehearse(sim, &report->rehearsal, &layout, &rehearsed);
 	if (status == TS_OK) {
 		size_t all = count_pairs(sim, &layout, pairs);
 		struct facts facts;
 
-		find_facts(sim, report, &layout, pairs, all, seconds, &facts);
+		find_facts(sim, report, &layout, &rehearsed, pairs, all, seconds, &facts);
 		print_facts(sim, &layout, &facts);
 		print_cost(sim, report, &layout, &facts, seconds);
 	}
+	ts_free(rehearsed.sent);
 	ts_rank_layout_release(&layout);
 	ts_free(pairs);
 	return status;

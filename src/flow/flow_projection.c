@@ -12,6 +12,7 @@
 #include "flow/implicit_viscosity.h"
 #include "flow/pressure_projection.h"
 #include "flow/slab_step.h"
+#include "flow/step_rehearsal.h"
 #include "poisson/pressure_choice.h"
 
 #include "base/banned.h"
@@ -309,9 +310,10 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 
 enum { VOID_FIELDS = 6 }; /* void fraction at centres and on faces, its rate, and that of the last step */
 
-/* What the parts of a step send to all ranks. */
-static void report_ranks(const struct tsim *sim, struct ts_plan_report *report)
+/* What ranks send in a step. */
+static void report_ranks(struct ts_instance *self, const struct tsim *sim, struct ts_plan_report *report)
 {
+	const struct ts_projection *p = self->state;
 	const struct ts_instance *part;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
@@ -320,6 +322,21 @@ static void report_ranks(const struct tsim *sim, struct ts_plan_report *report)
 		report->shared.messages += flow_part->shared > 0;
 		report->shared.bytes += (double)flow_part->shared;
 	}
+	if (ts_ranks(sim) > 1 && !ts_slab_step_divides(p, ts_ranks(sim)))
+		ts_report_line(report, "fluid's ranks",
+			       "each of the %d computes the whole step: they divide grids of three "
+			       "dimensions with as many cells along z at least (%d here)",
+			       ts_ranks(sim), p->fluid.grid.n[2]);
+	if (ts_ranks(sim) > TS_REHEARSED_MOST)
+		ts_report_line(report, "fluid's ranks",
+			       "what they send for the fluid is counted for up to %d ranks, not here",
+			       TS_REHEARSED_MOST);
+	if (!p->pressure || ts_ranks(sim) > TS_REHEARSED_MOST)
+		return;
+	report->rehearsal = (struct ts_report_rehearsal){ .self = self,
+							  .count = ts_projection_rehearse,
+							  .steps = p->every,
+							  .looks = ts_pressure_style_of(p->pressure)->looks };
 }
 
 static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -345,7 +362,7 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 	ts_pressure_explain(sim, &p->poisson, p->fluid.void_fraction || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
 	report->whole += 8 * fields * (double)grid->size;
-	report_ranks(sim, report);
+	report_ranks(self, sim, report);
 	if (!p->fluid.void_fraction)
 		ts_report_left_out(report, "void fraction", 0, 8 * VOID_FIELDS * (double)grid->size,
 				   "there is no fix void_fraction");

@@ -177,6 +177,7 @@ struct ts_closed_search;
  * struct, and the family of its style is TS_FAMILY_FLOW_PART. The slots are called in script order; NULL:
  * nothing to do. */
 #define TS_FAMILY_FLOW_PART "flow part"
+enum { TS_FLOW_PART_NUMBERS = 6 };
 struct ts_flow_part {
 	/* After each predictor, before its projection: may change u to u + dt f (direct forcing). `dt` is
 	 * that of the (sub)step, `time` the time of the fields after it. */
@@ -195,6 +196,14 @@ struct ts_flow_part {
 	struct ts_cell_order *order;
 	/* With several ranks: bytes of each particle that the fix sends to all of them in a step; 0: none. */
 	size_t shared;
+	/* With several ranks: what it sends in a step of particles that add to cells (coupling/cell_order.h). Set in its
+	 * init. */
+	struct ts_flow_part_sends {
+		bool particles; /* it has particles that do */
+		int numbers; /* of each, to the ranks with cells that it reaches; at most TS_FLOW_PART_NUMBERS */
+		int fields;    /* of which all ranks get all cells */
+		bool reaction; /* it adds to f and k of the fluid */
+	} sends;
 	/* The largest stable dt of the fluid as far as this fix is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
 	/* After all substeps, of total length `length`: exchange_velocity is the mean over them, and f and
@@ -216,6 +225,8 @@ struct ts_flow_part {
 	 * exact. No effect before the body has its place. */
 	enum ts_status (*distance)(struct ts_instance *self, struct tsim *sim, size_t n, const double (*x)[3],
 				   double reach, double *distance);
+	/* Exchanges among ranks what after_substep exchanges, without computing it (flow/step_rehearsal.h). */
+	void (*rehearse)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt);
 	/* Called when a step of length dt has become unstable: returns whether the speed of freely moving
 	 * bodies may be the cause, and writes the cause and the remedy to `cause`. */
 	bool (*explain_instability)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt,

@@ -330,11 +330,14 @@ static enum ts_status solve_divided(const struct component *of)
 					    .of = of };
 
 	TS_TRY(ts_transposition_room(&t));
-	solve_own_planes(of);
+	if (!of->step->rehearsal)
+		solve_own_planes(of);
 	ts_transpose(&t, false);
-	solve_own_rows(of);
+	if (!of->step->rehearsal)
+		solve_own_rows(of);
 	ts_transpose(&t, true);
-	add_own_velocity(of);
+	if (!of->step->rehearsal)
+		add_own_velocity(of);
 	return TS_OK;
 }
 
@@ -362,7 +365,8 @@ static enum ts_status solve_component(const struct ts_viscous_step *step, int c,
 	find_planes(&of);
 	if (ts_slabs_ranks(step->slabs) > 1)
 		return solve_divided(&of);
-	solve_whole(&of);
+	if (!step->rehearsal)
+		solve_whole(&of);
 	return TS_OK;
 }
 

@@ -107,6 +107,10 @@ void ts_projection_release(struct ts_projection *projection);
 
 /* One substep of the fluid; `carry`: that of ts_projection_average_exchange in its first stage. */
 enum ts_status ts_projection_substep(struct ts_instance *self, struct tsim *sim, double dt, double carry);
+/* Sets projection->done, the number of substeps over this length. */
+enum ts_status ts_projection_choose_substeps(struct ts_instance *self, struct tsim *sim, double length);
+/* Whether a fix changes the velocity between predictor and projection. */
+bool ts_projection_parts_have_forces(const struct tsim *sim);
 /* All substeps of the fluid over the time `length`. */
 enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length);
 

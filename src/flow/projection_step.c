@@ -45,7 +45,7 @@ static void swap_fields(double *a[3], double *b[3])
 
 /* ---- fixes that take part */
 
-static bool parts_have_forces(const struct tsim *sim)
+bool ts_projection_parts_have_forces(const struct tsim *sim)
 {
 	const struct ts_instance *part;
 
@@ -210,7 +210,7 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 	swap_fields(fluid->u, p->work);
 	ts_projection_apply_particle_forces(p, length);
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
-	ts_slab_step_predicted(p, parts_have_forces(sim));
+	ts_slab_step_predicted(p, ts_projection_parts_have_forces(sim));
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(apply_part_forces(sim, fluid, fluid->time + scheme->at[s] * dt, length));
 	p->pressure_time = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;
@@ -240,8 +240,7 @@ enum ts_status ts_projection_substep(struct ts_instance *self, struct tsim *sim,
 	return call_after_substep(sim, fluid, dt);
 }
 
-/* Sets p->done, the number of substeps over this length. */
-static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim, double length)
+enum ts_status ts_projection_choose_substeps(struct ts_instance *self, struct tsim *sim, double length)
 {
 	static const double MOST = 1e6;
 	struct ts_projection *p = self->state;
@@ -298,7 +297,7 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 		ts_fluid_fill_velocity(&p->fluid, p->fluid.u);
 	}
 	p->ghosts_filled = true;
-	TS_TRY(choose_substeps(self, sim, length));
+	TS_TRY(ts_projection_choose_substeps(self, sim, length));
 	for (int64_t k = 0; k < p->done; k++) {
 		p->now_at = k;
 		TS_TRY(ts_projection_substep(self, sim, length / (double)p->done, carry));

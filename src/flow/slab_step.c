@@ -8,11 +8,11 @@
 
 /* ---- which steps are divided */
 
-static bool divides(const struct ts_projection *p, const struct tsim *sim)
+bool ts_slab_step_divides(const struct ts_projection *p, int ranks)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 
-	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= sim->world->n;
+	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= ranks;
 }
 
 /* Whether a style may evaluate a formula, which may read the fluid. */
@@ -56,12 +56,12 @@ static bool stays_apart(const struct ts_projection *p, const struct tsim *sim)
 void ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim)
 {
 	struct ts_fluid_planes *planes = &p->fluid.planes;
-	const bool some = divides(p, sim) && stays_apart(p, sim);
+	const bool some = ts_slab_step_divides(p, sim->world->n) && stays_apart(p, sim);
 	size_t from, to;
 
 	if (!some)
 		ts_slab_step_complete(p);
-	p->slabs.active = divides(p, sim);
+	p->slabs.active = ts_slab_step_divides(p, sim->world->n);
 	ts_slabs_own(&p->slabs, (size_t)p->slabs.n, &from, &to);
 	*planes = (struct ts_fluid_planes){ some, (int)from - TS_GRID_GHOSTS, (int)to + TS_GRID_GHOSTS };
 	/* Images of planes at the other end of the grid are made with their ghosts. */

@@ -4,6 +4,9 @@
 
 #include "flow/projection.h"
 
+/* Whether so many ranks divide the steps of this grid; else each computes all of it. */
+bool ts_slab_step_divides(const struct ts_projection *projection, int ranks);
+
 /* Before a step, while the particles are divided among ranks. */
 void ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim);
 void ts_slab_step_end(struct ts_projection *projection);

@@ -41,9 +41,9 @@ static void count_partners(struct tally *t)
 			t->layout->part[t->pair[k] / t->layout->ranks].partners++;
 }
 
-static enum ts_status count(const struct tsim *sim, const struct ts_rank_blocks *blocks, double cutoff,
-			    struct ts_rank_layout *layout)
+static enum ts_status count(const struct tsim *sim, double cutoff, struct ts_rank_layout *layout)
 {
+	const struct ts_rank_blocks *blocks = &layout->blocks;
 	const struct ts_particles *p = sim->particles;
 	struct tally t = { .layout = layout };
 
@@ -60,25 +60,21 @@ static enum ts_status count(const struct tsim *sim, const struct ts_rank_blocks 
 
 enum ts_status ts_rank_layout_make(struct tsim *sim, int ranks, double cutoff, struct ts_rank_layout *layout)
 {
-	struct ts_rank_blocks blocks = { .count = { 0 } };
 	enum ts_status status;
 
 	*layout = (struct ts_rank_layout){ .ranks = ranks };
 	layout->part = ts_alloc((size_t)ranks, sizeof *layout->part);
 	layout->owner = ts_alloc(sim->particles->n, sizeof *layout->owner);
-	status =
-		layout->part && layout->owner ? ts_division_plan(sim, ranks, &blocks) : ts_nomem(&sim->error);
-	for (int d = 0; d < 3; d++)
-		layout->count[d] = blocks.count[d];
-	layout->bisected = blocks.bisection != NULL;
-	if (status == TS_OK && count(sim, &blocks, cutoff, layout) != TS_OK)
+	status = layout->part && layout->owner ? ts_division_plan(sim, ranks, &layout->blocks)
+					       : ts_nomem(&sim->error);
+	if (status == TS_OK && count(sim, cutoff, layout) != TS_OK)
 		status = ts_nomem(&sim->error);
-	ts_rank_blocks_release(&blocks);
 	return status;
 }
 
 void ts_rank_layout_release(struct ts_rank_layout *layout)
 {
+	ts_rank_blocks_release(&layout->blocks);
 	ts_free(layout->part);
 	ts_free(layout->owner);
 	*layout = (struct ts_rank_layout){ 0 };

@@ -4,6 +4,7 @@
 #define TS_PARTICLE_RANK_LAYOUT_H
 
 #include "core/sim.h"
+#include "rank/blocks.h"
 
 /* The numbers of one rank. */
 struct ts_rank_part {
@@ -14,8 +15,8 @@ struct ts_rank_part {
 };
 
 struct ts_rank_layout {
-	int ranks, count[3];	   /* blocks along each dimension */
-	bool bisected;		   /* recursive bisection: `count` has no meaning */
+	int ranks;
+	struct ts_rank_blocks blocks;
 	struct ts_rank_part *part; /* by rank */
 	int32_t *owner;		   /* [particles]: the rank of each */
 };

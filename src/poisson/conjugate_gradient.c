@@ -106,6 +106,23 @@ static double weight_of_last_direction(const struct ts_conjugate_gradient *c, co
 	return (c->flexible ? fmax(0, -c->step * ts_stencil_dot(s, c->q, c->z)) : now) / before;
 }
 
+void ts_conjugate_gradient_rehearse(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
+				    ts_precondition_fn *precondition, void *context, int iterations)
+{
+	for (int look = 0; look < 2; look++) {
+		ts_stencil_ghosts(s, c->d);
+		ts_stencil_max_rows(s);
+	}
+	for (int k = 0; k < iterations; k++) {
+		if (precondition)
+			precondition(context, c->r, c->z);
+		ts_stencil_sum_rows(s);
+		ts_stencil_ghosts(s, c->d);
+		ts_stencil_sum_rows(s);
+		ts_stencil_max_rows(s);
+	}
+}
+
 /* One iteration; `before`: r.z of the last one, 0 to restart the direction. Returns r.z; 0 if the residual
  * cannot be reduced further, or if there is a NaN. */
 static double cg_iteration(struct ts_conjugate_gradient *c, const struct ts_stencil *s,

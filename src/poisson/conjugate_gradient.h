@@ -29,5 +29,8 @@ struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradien
 						     const struct ts_stencil *s,
 						     ts_precondition_fn *precondition, void *context,
 						     const double *b, double *p, double goal, int most);
+/* What a solve of so many iterations that converges exchanges among ranks; r, z, d and q lose their values. */
+void ts_conjugate_gradient_rehearse(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
+				    ts_precondition_fn *precondition, void *context, int iterations);
 
 #endif

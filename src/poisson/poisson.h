@@ -60,6 +60,11 @@ struct ts_pressure_style {
 	/* While ranks have slabs: whether `solve` reads rhs and sets p in the planes of this rank only; else it does in all
 	 * planes. NULL: it never does. */
 	bool (*divided)(const struct ts_instance *self);
+	/* While ranks have slabs: exchanges what a solve of so many iterations exchanges, without solving, for the present
+	 * rank of their communicator (rank/rehearsal.h). NULL: it exchanges nothing. */
+	enum ts_status (*rehearse)(struct ts_instance *self, int iterations);
+	/* Iterations from one computation of the residual to the next; 0: a direct solver. */
+	int looks;
 	/* Estimated time of a solve in seconds, for the choice of the default and for -explain. `self` may
 	 * be NULL: with the default arguments. */
 	double (*cost)(const struct ts_instance *self, const struct ts_poisson *problem);

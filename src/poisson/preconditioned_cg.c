@@ -141,6 +141,36 @@ static void precondition_by_direct(void *context, const double *r, double *z)
 	ts_direct_solve(&c->direct, z, z);
 }
 
+/* The direct solver has its room already: ts_preconditioned_rehearse. */
+static void exchange_direct(void *context, const double *r, double *z)
+{
+	const struct ts_preconditioned *c = context;
+
+	(void)r;
+	(void)z;
+	ts_direct_exchange(&c->direct, false);
+	ts_direct_exchange(&c->direct, true);
+}
+
+enum ts_status ts_preconditioned_rehearse(struct ts_instance *self, int iterations)
+{
+	struct ts_preconditioned *c = self->state;
+	struct ts_iteration *it = &c->iteration;
+	const int kind = choose_preconditioner(c);
+
+	it->stencil.slabs = ts_preconditioned_divided(self) ? it->problem->slabs : NULL;
+	TS_TRY(ts_direct_divide(&c->direct, c->direct.slabs));
+	ts_iteration_rehearse(it);
+	if (kind == TS_PRECONDITION_MULTIGRID)
+		ts_conjugate_gradient_rehearse(&c->conjugate, &it->stencil, ts_multigrid_cycle, &c->multigrid,
+					       iterations);
+	else
+		ts_conjugate_gradient_rehearse(&c->conjugate, &it->stencil,
+					       kind == TS_PRECONDITION_DIRECT ? exchange_direct : NULL, c,
+					       iterations);
+	return TS_OK;
+}
+
 enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *sim, const double *rhs,
 				       double *p, struct ts_poisson_report *report)
 {

@@ -48,6 +48,14 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 	return TS_OK;
 }
 
+static enum ts_status rehearse(struct ts_instance *self, int iterations)
+{
+	struct ts_direct *solver = &((struct direct *)self->state)->solver;
+
+	(void)iterations;
+	return ts_direct_rehearse(solver);
+}
+
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
 	(void)self;
@@ -79,6 +87,7 @@ const struct ts_pressure_style ts_pressure_direct = {
 	.prepare = prepare,
 	.solve = solve,
 	.divided = divided,
+	.rehearse = rehearse,
 	.cost = cost,
 	.fields = 1,
 };

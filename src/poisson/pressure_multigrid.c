@@ -43,6 +43,8 @@ const struct ts_pressure_style ts_pressure_multigrid = {
 	.prepare = prepare,
 	.solve = ts_preconditioned_solve,
 	.divided = ts_preconditioned_divided,
+	.rehearse = ts_preconditioned_rehearse,
+	.looks = 1,
 	.cost = cost,
 	.fields = 12,
 };

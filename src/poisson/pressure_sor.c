@@ -66,6 +66,17 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 	return ts_iteration_end(it, self, sim, goal, report, p);
 }
 
+static enum ts_status rehearse(struct ts_instance *self, int iterations)
+{
+	struct sor *s = self->state;
+	struct ts_iteration *it = &s->iteration;
+
+	it->stencil.slabs = divided(self) ? it->problem->slabs : NULL;
+	ts_iteration_rehearse(it);
+	ts_relaxation_rehearse(&it->stencil, it->p, iterations);
+	return TS_OK;
+}
+
 /* Time of an iteration in ns per cell; iterations needed per digit: ln 10/(2 - omega), and a few more. */
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
@@ -105,6 +116,8 @@ const struct ts_pressure_style ts_pressure_sor = {
 	.prepare = prepare,
 	.solve = solve,
 	.divided = divided,
+	.rehearse = rehearse,
+	.looks = TS_RELAXATION_LOOKS,
 	.cost = cost,
 	.fields = 7,
 };

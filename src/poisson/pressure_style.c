@@ -63,6 +63,17 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 	return TS_OK;
 }
 
+void ts_iteration_rehearse(struct ts_iteration *it)
+{
+	struct ts_stencil *s = &it->stencil;
+
+	ts_stencil_max_rows(s);
+	if (it->problem->singular) { /* balanced before, centred afterwards */
+		ts_stencil_sum_rows(s);
+		ts_stencil_sum_rows(s);
+	}
+}
+
 enum ts_status ts_iteration_end(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
 				double goal, const struct ts_poisson_report *report, double *p)
 {

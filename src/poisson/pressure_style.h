@@ -41,6 +41,8 @@ void ts_iteration_release(struct ts_iteration *it);
  * 0. */
 enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
 				  const double *rhs, const double *p, double *goal);
+/* What ts_iteration_begin and ts_iteration_end exchange among ranks. */
+void ts_iteration_rehearse(struct ts_iteration *it);
 /* Copies the solution to `p`; an error or a warning if the residual is larger than the goal. */
 enum ts_status ts_iteration_end(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
 				double goal, const struct ts_poisson_report *report, double *p);

@@ -6,9 +6,6 @@
 
 #include "base/banned.h"
 
-/* iterations between computations of the residual, each of which costs as much as an iteration */
-enum { LOOK = 8 };
-
 double ts_relaxation_optimal(const struct ts_poisson *problem)
 {
 	double diagonal = 0, slowest = 0, slow, rho, least = INFINITY;
@@ -49,8 +46,18 @@ struct ts_poisson_report ts_relaxation_solve(const struct ts_stencil *s, double 
 		for (int colour = 0; colour < s->colours; colour++)
 			ts_stencil_sweep(s, p, b, colour, omega);
 		report.iterations++;
-		if (report.iterations % LOOK == 0 || report.iterations == most)
+		if (report.iterations % TS_RELAXATION_LOOKS == 0 || report.iterations == most)
 			report.residual = ts_stencil_residual(s, p, b, spare);
 	}
 	return report;
+}
+
+void ts_relaxation_rehearse(const struct ts_stencil *s, double *p, int iterations)
+{
+	ts_stencil_ghosts(s, p);
+	ts_stencil_max_rows(s);
+	for (int k = 0; k < iterations * s->colours; k++)
+		ts_stencil_ghosts(s, p);
+	for (int k = 0; k < iterations / TS_RELAXATION_LOOKS; k++)
+		ts_stencil_max_rows(s);
 }

@@ -187,6 +187,11 @@ static const double *scalar(struct ts_instance *self)
 	return s->transport.value;
 }
 
+static void rehearse(const struct ts_instance *self, const struct ts_fluid *fluid, double dt)
+{
+	ts_transport_rehearse(&((const struct state *)self->state)->transport, fluid, dt);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -195,10 +200,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->part.scalar = scalar;
 	s->part.after_substep = advance_scalar;
 	s->part.after_step = finish_step;
+	s->part.rehearse = rehearse;
 	s->sim = sim;
 	if (!s->arguments_read)
 		TS_TRY(read_face_conditions(self, sim));
 	TS_TRY(find_heat(self, sim));
+	s->part.sends = (struct ts_flow_part_sends){ .particles = s->heat,
+						     .numbers = s->heat != NULL,
+						     .fields = s->heat != NULL };
 	TS_TRY(make_fields(self, sim));
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);

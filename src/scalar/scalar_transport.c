@@ -202,9 +202,23 @@ static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, doub
 		e[k] = void_fraction_after(t, fluid, k, dt);
 }
 
+/* Number of substeps over dt. */
+static long count_parts(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
+{
+	return (long)fmin(fmax(ceil(dt / ts_transport_limit(t, fluid)), 1), 1e6);
+}
+
+void ts_transport_rehearse(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
+{
+	for (long k = count_parts(t, fluid, dt); k > 0; k--) {
+		ts_fluid_slabs_share(fluid, t->stage);
+		ts_fluid_slabs_share(fluid, t->value);
+	}
+}
+
 long ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
 {
-	long parts = (long)fmin(fmax(ceil(dt / ts_transport_limit(t, fluid)), 1), 1e6);
+	const long parts = count_parts(t, fluid, dt);
 
 	for (long k = 0; k < parts; k++)
 		heun_step(t, fluid, dt / (double)parts, threads);

@@ -40,5 +40,7 @@ double ts_transport_limit(const struct ts_transport *transport, const struct ts_
 /* Advances T over dt, in as many substeps as the limit requires; returns their number. */
 long ts_transport_advance(struct ts_transport *transport, const struct ts_fluid *fluid, double dt,
 			  int threads);
+/* Exchanges among ranks what that exchanges, without computing it. */
+void ts_transport_rehearse(const struct ts_transport *transport, const struct ts_fluid *fluid, double dt);
 
 #endif
