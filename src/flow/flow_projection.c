@@ -4,6 +4,7 @@
 #include "core/deferred_loops.h"
 #include "core/ranks.h"
 #include "core/report.h"
+#include "coupling/cell_rehearsal.h"
 #include "coupling/outside_grid.h"
 #include "flow/boundary.h"
 #include "flow/flow_arguments.h"
@@ -310,6 +311,18 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 
 enum { VOID_FIELDS = 6 }; /* void fraction at centres and on faces, its rate, and that of the last step */
 
+/* `count` of struct ts_report_rehearsal: in the steps of the simulation for one of the fluid. */
+static enum ts_status count_sent(struct ts_instance *self, struct tsim *sim,
+				 const struct ts_rank_layout *layout, int iterations,
+				 struct ts_world_counts *sent)
+{
+	const struct ts_projection *p = self->state;
+
+	if (ts_cell_rehearse(sim, &p->fluid, layout, p->every, sent) != TS_OK)
+		return ts_nomem(&sim->error);
+	return ts_projection_rehearse(self, sim, layout->ranks, iterations, sent);
+}
+
 /* What ranks send in a step. */
 static void report_ranks(struct ts_instance *self, const struct tsim *sim, struct ts_plan_report *report)
 {
@@ -334,7 +347,7 @@ static void report_ranks(struct ts_instance *self, const struct tsim *sim, struc
 	if (!p->pressure || ts_ranks(sim) > TS_REHEARSED_MOST)
 		return;
 	report->rehearsal = (struct ts_report_rehearsal){ .self = self,
-							  .count = ts_projection_rehearse,
+							  .count = count_sent,
 							  .steps = p->every,
 							  .looks = ts_pressure_style_of(p->pressure)->looks };
 }

@@ -1,7 +1,6 @@
 /* The exchanges of projection_step.c and pressure_projection.c, in their order. */
 #include "flow/step_rehearsal.h"
 
-#include "coupling/cell_rehearsal.h"
 #include "flow/implicit_viscosity.h"
 #include "flow/slab_step.h"
 #include "poisson/pressure_choice.h"
@@ -94,8 +93,7 @@ static enum ts_status rehearse_steps(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-enum ts_status ts_projection_rehearse(struct ts_instance *self, struct tsim *sim,
-				      const struct ts_rank_layout *layout, int iterations,
+enum ts_status ts_projection_rehearse(struct ts_instance *self, struct tsim *sim, int ranks, int iterations,
 				      struct ts_world_counts *sent)
 {
 	struct ts_projection *p = self->state;
@@ -103,11 +101,9 @@ enum ts_status ts_projection_rehearse(struct ts_instance *self, struct tsim *sim
 	enum ts_status status;
 
 	TS_TRY(ts_projection_choose_substeps(self, sim, (double)p->every * sim->clock.dt));
-	if (ts_cell_rehearse(sim, &p->fluid, layout, p->every, sent) != TS_OK)
-		return ts_nomem(&sim->error);
-	if (!ts_slab_step_divides(p, layout->ranks))
+	if (!ts_slab_step_divides(p, ranks))
 		return TS_OK;
-	ts_rehearsal_make(&world, 0, layout->ranks);
+	ts_rehearsal_make(&world, 0, ranks);
 	sim->world = &world;
 	status = rehearse_steps(self, sim, iterations, sent);
 	sim->world = real;

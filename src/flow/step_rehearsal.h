@@ -4,14 +4,11 @@
 
 #include "flow/projection.h"
 
-struct ts_rank_layout;
-
 enum { TS_REHEARSED_MOST = 4096 }; /* ranks: the work grows as their square */
 
-/* `count` of struct ts_report_rehearsal, for steps without outputs: those of the simulation for one of the fluid. The work
+/* Adds to sent[r] what rank r sends in a step without outputs, with so many iterations in each solve for the pressure. The work
  * fields of the fluid lose their values. */
-enum ts_status ts_projection_rehearse(struct ts_instance *self, struct tsim *sim,
-				      const struct ts_rank_layout *layout, int iterations,
+enum ts_status ts_projection_rehearse(struct ts_instance *self, struct tsim *sim, int ranks, int iterations,
 				      struct ts_world_counts *sent);
 
 #endif
