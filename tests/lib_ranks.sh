@@ -33,7 +33,7 @@ has_ranks() {
 
 # told FILE: what the program prints, without times and counts of ranks
 told() {
-	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first)|ns per particle|time \(%\)|^$' "$1"
+	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first)|ns per particle|time \(%\)|^$|acts in each step: all [0-9]* ranks' "$1"
 }
 
 # same_on NAME RANKS...: in.NAME, whose variable n is $size and whose files begin with ${out}, tells and writes the same on each of

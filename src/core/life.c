@@ -231,7 +231,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 
 	TS_TRY(find_position(sim, kind, style, id, where, &at));
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
-	TS_TRY(ts_ranks_allow(sim, style, what, args, where));
+	TS_TRY(ts_ranks_allow(sim, style, what, where));
 	if (!is_without_rows(sim, style))
 		TS_TRY(ts_ranks_unite(sim));
 	TS_TRY(instance_new(sim, style, id, group, where, &inst));

@@ -68,43 +68,21 @@ const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_wor
 	return NULL;
 }
 
-static enum ts_status check_words(struct tsim *sim, const struct ts_style *style, const char *what,
-				  struct ts_words words)
+bool ts_ranks_variable_shared(const struct tsim *sim, const char *variable)
 {
-	const struct ts_word *shared = style->ranks & TS_RANKS_OWN ? ts_ranks_find_shared(sim, words) : NULL;
+	char text[128];
+	struct ts_word word = { .text = text };
 
-	if (!shared)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &shared->place,
-		       "%s: '%s' is a value that depends on all particles, a clock or random numbers, and is "
-		       "needed while the particles are divided among ranks, which does not work yet (there "
-		       "are %d ranks); see doc/ranks.md",
-		       what, shared->text, ts_ranks(sim));
+	if (!variable)
+		return false;
+	snprintf(text, sizeof text, "%s%s", strncmp(variable, "v_", 2) == 0 ? "" : "v_", variable);
+	return ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 }) != NULL;
 }
 
 enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
-			      struct ts_words words, const struct ts_place *where)
+			      const struct ts_place *where)
 {
-	if (ts_ranks(sim) == 1)
-		return TS_OK;
-	if (!style->ranks)
-		return ts_ranks_refuse(sim, what, where);
-	return check_words(sim, style, what, words);
-}
-
-/* Variables may have got other formulas since the line of the style. */
-static enum ts_status check_variables(struct tsim *sim, enum ts_kind kind)
-{
-	const struct ts_instances *all = &sim->instances[kind];
-	char what[128];
-
-	for (size_t k = 0; k < all->n; k++) {
-		const struct ts_instance *inst = all->item[k];
-
-		snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), inst->style->name);
-		TS_TRY(check_words(sim, inst->style, what, inst->words));
-	}
-	return TS_OK;
+	return style->ranks ? TS_OK : ts_ranks_refuse(sim, what, where);
 }
 
 void ts_ranks_apart(struct tsim *sim, bool begins)
@@ -112,19 +90,71 @@ void ts_ranks_apart(struct tsim *sim, bool begins)
 	sim->run.apart = begins && ts_ranks(sim) > 1;
 }
 
-enum ts_status ts_ranks_check_systems(struct tsim *sim)
-{
-	for (const struct ts_system_style *const *s = sim->tables->systems; ts_ranks(sim) > 1 && *s; s++) {
-		const char *why = (*s)->undivided ? (*s)->undivided(sim) : NULL;
+/* ---- values that depend on all particles, and act in each step */
 
-		if (why)
-			return ts_ranks_refuse(sim, why, ts_sim_word(sim, 0, NULL));
-	}
-	if (ts_ranks(sim) == 1)
-		return TS_OK;
-	TS_TRY(check_variables(sim, TS_KIND_FLOW));
-	return check_variables(sim, TS_KIND_FIX);
+/* Of fixes and the flow style; sets where it is. NULL: there is none. */
+static const char *find_shared_argument(const struct tsim *sim, char what[128], const struct ts_place **where)
+{
+	static const enum ts_kind kinds[] = { TS_KIND_FLOW, TS_KIND_FIX };
+
+	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+		for (size_t i = 0; i < sim->instances[kinds[k]].n; i++) {
+			const struct ts_instance *inst = sim->instances[kinds[k]].item[i];
+			const struct ts_word *shared = inst->style->ranks & TS_RANKS_OWN
+							       ? ts_ranks_find_shared(sim, inst->words)
+							       : NULL;
+
+			if (!shared)
+				continue;
+			snprintf(what, 128, "%s of %s %s", shared->text, ts_kind_name(kinds[k]),
+				 inst->style->name);
+			*where = &shared->place;
+			return what;
+		}
+	return NULL;
 }
+
+static const char *find_shared_system(const struct tsim *sim)
+{
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++) {
+		const char *what = (*s)->undivided ? (*s)->undivided(sim) : NULL;
+
+		if (what)
+			return what;
+	}
+	return NULL;
+}
+
+void ts_ranks_choose_steps(struct tsim *sim)
+{
+	const struct ts_place *where = ts_sim_word(sim, 0, NULL);
+	const bool before = sim->run.undivided;
+	const char *what = NULL;
+	char text[128];
+
+	if (ts_ranks(sim) > 1)
+		what = find_shared_system(sim);
+	if (ts_ranks(sim) > 1 && !what)
+		what = find_shared_argument(sim, text, &where);
+	sim->run.undivided = what != NULL;
+	if (what && !before && ts_ranks_first(sim))
+		ts_warn(&sim->log, where,
+			"%s depends on all particles, a clock or random numbers, and acts in each step: all "
+			"%d "
+			"ranks do all steps with all particles, which takes as long as with one rank; see "
+			"doc/ranks.md",
+			what, ts_ranks(sim));
+}
+
+static bool system_is_whole(const struct tsim *sim, bool set_up)
+{
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
+		if ((*s)->whole_step && (*s)->whole_step(sim, set_up))
+			return true;
+	return false;
+}
+
+/* ---- steps and outputs */
 
 enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim)
 {
@@ -215,9 +245,9 @@ bool ts_ranks_set_up_whole(const struct ts_plan *plan, const struct tsim *sim)
 		if (sets_up_whole(plan->actions[TS_STAGE_SETUP][k].self, sim))
 			return true;
 	/* the limits of bonds need those of all ranks */
-	return sim->run.shows_lists || sim->instances[TS_KIND_FLOW].n || sim->instances[TS_KIND_BOND].n ||
-	       compute_reads_lists(sim) || stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) ||
-	       review_reads_all(sim);
+	return system_is_whole(sim, true) || sim->run.shows_lists || sim->instances[TS_KIND_FLOW].n ||
+	       sim->instances[TS_KIND_BOND].n || compute_reads_lists(sim) ||
+	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || review_reads_all(sim);
 }
 
 bool ts_ranks_may_pause(const struct ts_plan *plan, const struct tsim *sim)
@@ -293,7 +323,7 @@ bool ts_ranks_step_due(const struct tsim *sim)
 		if (self->style->ranks & TS_RANKS_STEPS && self->style->due(self, sim))
 			return true;
 	}
-	return false;
+	return sim->run.undivided || system_is_whole(sim, false);
 }
 
 void ts_ranks_agree(struct tsim *sim)

@@ -33,20 +33,22 @@ void ts_ranks_sums(const struct tsim *sim, int64_t *number, size_t n);
 /* The number of the first rank: for what is not the same on all, such as times. */
 double ts_ranks_same(const struct tsim *sim, double value);
 
-/* With several ranks returns an error if the style is not made for them, or an argument of a fix is a value that they
- * would have to compute together. `what`: kind and name for the message. */
+/* With several ranks returns an error if the style is not made for them. `what`: kind and name for the message. */
 enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
-			      struct ts_words words, const struct ts_place *where);
+			      const struct ts_place *where);
 /* The first word that names a value which ranks with particles of their own do not have: an output, or a variable that
  * depends on all particles. NULL: none. */
 const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words);
+/* Whether a variable, NAME or v_NAME, is such a value; NULL: no. */
+bool ts_ranks_variable_shared(const struct tsim *sim, const char *variable);
 /* The same for an option; `what`: its name. */
 enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
 /* Between two calls formulas of commands are evaluated, which are also evaluated while the particles are divided; those of
  * styles: ts_ranks_allow. */
 void ts_ranks_apart(struct tsim *sim, bool begins);
-/* Before a run: asks all systems whether the particles can be divided. */
-enum ts_status ts_ranks_check_systems(struct tsim *sim);
+/* Before a run: where a fix, the flow style or a region acts in each step by a value that depends on all particles, all ranks
+ * do all steps with all particles, and a warning tells. */
+void ts_ranks_choose_steps(struct tsim *sim);
 /* Calls the slot `settle` of the styles that have anything to do in this step. */
 enum ts_status ts_ranks_settle(const struct ts_plan *plan, struct tsim *sim);
 /* Whether a hook of END_OF_STEP or OUTPUT of this step needs all particles on each rank, or they are to be divided

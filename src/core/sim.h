@@ -142,8 +142,9 @@ struct ts_run_state {
 	bool rowwise; /* a command acts on these, each by itself: formulas of particles read those of this rank */
 	bool apart;	/* with several ranks: formulas are evaluated that may read nothing of particles */
 	bool timed_out; /* the first of several ranks has found in this step that the wall time is up */
+	bool undivided; /* with several ranks: all do all steps of this run with all particles (core/ranks.h) */
 	bool uneven;	/* some ranks have so many particles that all are to be divided again */
-	bool complete;	/* the run may end with this step: it stores all that can be read afterwards */
+	bool complete;	     /* the run may end with this step: it stores all that can be read afterwards */
 	bool shows_contacts; /* an output reads forces of contacts, or an outside program may do so */
 	bool shows_lists;    /* an output reads lists of pairs: core/due_lists.h tells in which steps */
 	bool needs_lists;    /* all outputs may read lists of pairs */

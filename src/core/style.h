@@ -274,8 +274,11 @@ struct ts_system_style {
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;
 	const struct ts_function *functions;
-	/* Why the particles cannot be divided among ranks now, as the subject of a message; NULL: they can. */
+	/* What acts in each step of the run by a value that depends on the particles of all ranks, as the subject of a message;
+	 * NULL: nothing. */
 	const char *(*undivided)(const struct tsim *sim);
+	/* Whether all ranks do this step, or the set-up of a run, with all particles. */
+	bool (*whole_step)(const struct tsim *sim, bool set_up);
 	/* For -explain: packs the particles as in a settled bed, to time the most expensive step. */
 	ts_hook_fn *crowd;
 	/* Per-particle quantities by script name (x, vy, radius ...): one row per local particle. */

@@ -201,7 +201,7 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 	ts_str_release(&text);
 }
 
-enum ts_status ts_rank_report(struct tsim *sim, const struct ts_plan_report *report, double seconds)
+static enum ts_status report_divided(struct tsim *sim, const struct ts_plan_report *report, double seconds)
 {
 	int ranks = ts_ranks(sim);
 	struct pairs *pairs = ts_alloc((size_t)ranks, sizeof *pairs);
@@ -225,4 +225,14 @@ enum ts_status ts_rank_report(struct tsim *sim, const struct ts_plan_report *rep
 	ts_rank_layout_release(&layout);
 	ts_free(pairs);
 	return status;
+}
+
+enum ts_status ts_rank_report(struct tsim *sim, const struct ts_plan_report *report, double seconds)
+{
+	if (!sim->run.undivided)
+		return report_divided(sim, report, seconds);
+	ts_log(&sim->log,
+	       "%d ranks: each does all steps with all particles, in the time and the memory of one\n",
+	       ts_ranks(sim));
+	return TS_OK;
 }

@@ -151,7 +151,7 @@ static enum ts_status evaluate_face(struct ts_projection *p, struct tsim *sim, i
 {
 	enum ts_status status;
 
-	ts_ranks_apart(sim, !p->condition[d][side].once);
+	ts_ranks_apart(sim, sim->run.inside && !sim->run.undivided && !p->condition[d][side].once);
 	status = evaluate_face_now(p, sim, d, side);
 	ts_ranks_apart(sim, false);
 	return status;

@@ -1,8 +1,10 @@
 /* Keywords of the fluid for thermo_style and formulas. */
 #include <math.h>
 
+#include "core/ranks.h"
 #include "flow/flow.h"
 #include "flow/flow_measures.h"
+#include "flow/projection.h"
 
 #include "base/banned.h"
 
@@ -58,6 +60,29 @@ static const struct ts_keyword keywords[] = {
 	{ .name = NULL },
 };
 
+static bool is_shared(const struct tsim *sim, const struct ts_flow_condition *condition)
+{
+	bool is = ts_ranks_variable_shared(sim, condition->pressure.variable);
+
+	for (int d = 0; d < 3; d++)
+		is |= ts_ranks_variable_shared(sim, condition->velocity[d].variable);
+	return is && !condition->once;
+}
+
+static const char *undivided(const struct tsim *sim)
+{
+	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+	const struct ts_projection *p =
+		flow && flow->style->family && ts_streq(flow->style->family, TS_FAMILY_PROJECTION)
+			? flow->state
+			: NULL;
+
+	for (int face = 0; p && face < 6; face++)
+		if (is_shared(sim, &p->condition[face / 2][face % 2]))
+			return "a variable of flow_boundary";
+	return NULL;
+}
+
 const struct ts_system_style ts_flow_system = {
 	.style = {
 		.name = "flow",
@@ -65,4 +90,5 @@ const struct ts_system_style ts_flow_system = {
 		.summary = "Numbers of the fluid for the table of the log",
 	},
 	.keywords = keywords,
+	.undivided = undivided,
 };

@@ -18,26 +18,27 @@
 
 #include "base/banned.h"
 
-/* Whether the variable of a dynamic group, NAME or v_NAME, depends on all particles. */
-static bool chosen_by_all(const struct tsim *sim, const char *variable)
+const char *ts_division_undivided(const struct tsim *sim)
 {
-	char text[128];
-	struct ts_word word = { .text = text };
+	enum { OFTEN = 20 }; /* a step with all particles takes as long as so many */
+	const struct ts_particles *p = sim->particles;
 
-	if (!variable)
-		return false;
-	snprintf(text, sizeof text, "%s%s", strncmp(variable, "v_", 2) == 0 ? "" : "v_", variable);
-	return ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 }) != NULL;
+	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
+		if (p->dynamic[bit].every && p->dynamic[bit].every < OFTEN &&
+		    ts_ranks_variable_shared(sim, p->dynamic[bit].variable))
+			return "the variable of a dynamic group";
+	return NULL;
 }
 
-const char *ts_division_refused(const struct tsim *sim)
+bool ts_division_whole_step(const struct tsim *sim, bool set_up)
 {
 	const struct ts_particles *p = sim->particles;
 
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
-		if (p->dynamic[bit].every && chosen_by_all(sim, p->dynamic[bit].variable))
-			return "a dynamic group by a variable of all particles";
-	return NULL;
+		if (p->dynamic[bit].every && (set_up || sim->clock.step % p->dynamic[bit].every == 0) &&
+		    ts_ranks_variable_shared(sim, p->dynamic[bit].variable))
+			return true;
+	return false;
 }
 
 static void release_reread(struct ts_division *d)

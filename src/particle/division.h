@@ -90,8 +90,9 @@ enum ts_status ts_division_send(struct tsim *sim, struct ts_new_rows *rows, cons
 enum ts_status ts_division_count(struct tsim *sim, size_t n, size_t *before, size_t *all);
 /* They have been made: where the blocks do not fit those of before, too, they are cut again. */
 enum ts_status ts_division_made(struct tsim *sim);
-/* Slot of the system of particles. */
-const char *ts_division_refused(const struct tsim *sim);
+/* Slots of the system of particles. */
+const char *ts_division_undivided(const struct tsim *sim);
+bool ts_division_whole_step(const struct tsim *sim, bool set_up);
 void ts_division_free(struct ts_division *division);
 
 /* In EXCHANGE, before particles are wrapped or deleted: exchanges rows that depend on periodic faces. */

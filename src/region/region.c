@@ -393,7 +393,6 @@ static const struct ts_function functions[] = {
 	{ .name = NULL },
 };
 
-/* Variables that depend on all particles would have to be evaluated while these are divided. */
 static const char *undivided(const struct tsim *sim)
 {
 	const struct ts_instances *regions = &sim->instances[TS_KIND_REGION];
@@ -401,7 +400,7 @@ static const char *undivided(const struct tsim *sim)
 	for (size_t k = 0; k < regions->n; k++)
 		if (ts_ranks_find_shared(sim, regions->item[k]->words) &&
 		    ts_uses_region(sim, regions->item[k]))
-			return "a region that moves or changes by a variable of all particles";
+			return "the variable by which a region moves or changes";
 	return NULL;
 }
 

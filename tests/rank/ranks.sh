@@ -131,14 +131,41 @@ refused() {
 }
 integrate='fix 1 all nve'
 refused 'a command' 5:7 'shell with a program does not work with several ranks' 'shell true' "$integrate"
-refused 'a variable of all particles' 6:19 "'v_g' is a value that depends on all particles" 'variable g equal 1+ke' \
-	'fix g all gravity v_g vector 0 0 -1' "$integrate"
-refused 'a variable that draws' 7:20 "'v_f' is a value that depends on all particles" 'variable g equal random(0,1,5)' \
-	'variable f atom x+v_g' 'fix g all addforce v_f 0 0' "$integrate"
-refused 'a variable that has got another formula' 7:20 "'v_g' is a value that depends on all particles" 'variable g equal step' \
-	"$integrate" 'fix g all addforce v_g 0 0' 'variable g equal c_k' 'compute k all ke'
-refused 'a region that moves by a variable of all particles' 9:1 'a region that moves or changes by a variable of all particles does not work' \
-	'variable s equal ke' 'region r sphere 5 5 5 3 move v_s NULL NULL' 'fix f all addforce 1 0 0 region r' "$integrate"
+
+# undivided WHAT LINE:COLUMN VALUE SCRIPT-LINE...: such values act in each step: a warning there, once in two runs, and the same numbers
+# as of one rank
+undivided() {
+	local what=$1 place=$2 value=$3
+	shift 3
+	printf '%s\n' 'units lj' 'boundary p p p' 'atom_style sphere' 'newton off' 'region box block 0 10 0 10 0 10' 'create_box 1 box' \
+		'lattice sc 1' 'create_atoms 1 box' 'velocity all create 1 4711' 'timestep 0.001' "$@" 'fix 1 all nve' 'thermo 5' 'thermo_style custom step ke' \
+		'thermo_modify format float %.17g' 'dump d all custom 10 ${out}.dump id x y z fx fy fz' \
+		'dump_modify d format float %.17g sort id' 'run 10' 'run 10' >in.undivided
+	same_on undivided 3
+	[ "$(grep -c "in.undivided:$place: warning: $value depends on all particles.* acts in each step: all 3 ranks" many.out)" = "${warned:-1}" ]
+	report "$what: the warning" $? many.out
+	awk '/^ITEM: TIMESTEP/ { n = 0 } NF == 7 { if ($5 * $5 + $6 * $6 + $7 * $7 > 0) n++ } END { exit !n }' many.dump
+	report "$what: it acts" $? many.dump
+}
+undivided 'a force by the centre of mass' 12 'v_g of fix addforce' 'variable g equal -0.01*xcm(all,x)' 'fix g all addforce v_g 0 0'
+undivided 'a force that draws' 13 'v_f of fix addforce' 'variable g equal 0.01*random(0,1,5)' 'variable f atom 0.01*x+v_g' \
+	'fix g all addforce v_f 0 0'
+undivided 'a variable that has got another formula' 12 'v_g of fix addforce' 'variable g equal step' \
+	'fix g all addforce v_g 0 0' 'variable g equal 1e-3*c_k' 'compute k all ke'
+undivided 'a region that moves by a variable of all particles' '[0-9]*' 'the variable by which a region moves or changes' \
+	'variable s equal xcm(all,x)' 'region r sphere 5 5 5 3 move v_s NULL NULL' 'fix f all addforce 1 0 0 region r'
+undivided 'a dynamic group by an output, in each step' '[0-9]*' 'the variable of a dynamic group' \
+	'compute k all ke/atom' 'variable fast atom c_k>0.5' 'group fast dynamic all var fast every 1' 'fix f fast addforce 1 0 0'
+warned=0 undivided 'a dynamic group by an output, now and then' '[0-9]*' 'the variable of a dynamic group' \
+	'compute k all ke/atom' 'variable fast atom c_k>0.5' 'group fast dynamic all var fast every 25' 'fix f fast addforce 1 0 0'
+printf 'run 30\n' >>in.undivided
+same_on undivided 2
+"$TSIM" -in in.undivided -var out x -explain -ranks 4 -log none >out 2>&1 && grep -q '^4 ranks, .* blocks, now:' out
+report 'the plan of such a group' $? out
+sed 's/every 25/every 5/' in.undivided >in.often
+"$TSIM" -in in.often -var out x -explain -ranks 4 -log none >out 2>&1 &&
+	grep -q '^4 ranks: each does all steps with all particles' out
+report 'the plan of a group that is assigned often' $? out
 
 # Of particles that are lost in one step the one with the least identity is told, once, with its contacts.
 printf '%s\n' 'units lj' 'atom_style sphere' 'boundary f f f' 'newton off' 'processors 1 * 1' 'region box block 0 30 0 25 0 20' 'create_box 1 box' \
@@ -245,16 +272,16 @@ for n in 2 4; do
 	report "drilling: the same files on $n ranks" $? out
 done
 
-# What a formula of the fluid reads is known in steps, when each rank has its own particles only.
-# reads_all WHAT VARIABLE FORMULA MESSAGE: the duct with a variable that reads particles is refused before the run
+# Formulas of the fluid that read particles: all ranks do all steps with all particles.
+# reads_all WHAT VARIABLE FORMULA CAUSE: the duct with such a variable
 reads_all() {
-	sed "s/^variable $2.*/variable $2 equal $3/" "$scenes/in.duct" >in.reads
-	"$TSIM" -explain -ranks 3 -in in.reads -log none -var out x >out 2>&1
-	[ $? != 0 ] && grep -q "in.reads:[0-9:]*: error: $4" out
-	report "$1" $? out
+	sed "s/^variable $2.*/variable $2 equal $3/; s/^run .*/run 30/" "$scenes/in.duct" >in.reads
+	same_on reads 3
+	[ "$(grep -c "in.reads:[0-9:]*: warning: $4 depends on all particles" many.out)" = 1 ]
+	report "$1: the warning" $? many.out
 }
-reads_all 'a moving wall whose speed depends on particles' speed 'ke(all)' "'ke' is needed in each step"
-reads_all 'a body force that depends on particles' pull 'count(all)' "flow projection: 'v_pull' is a value that depends on all particles"
+reads_all 'a moving wall whose speed depends on particles' speed '0.02+ke(all)' 'a variable of flow_boundary'
+reads_all 'a body force that depends on particles' pull '20+count(all)' 'v_pull of flow projection'
 
 # Errors: in the script, and of one rank in a step.
 printf 'units lj\nnonsense 1\n' >in.wrong
