@@ -18,9 +18,10 @@ static bool find(void *library, const char *name, void *to)
 	return found != NULL;
 }
 
-/* The objects of Open MPI are addresses in its library, those of other libraries are numbers. */
+/* The objects of Open MPI are addresses, those of other libraries are numbers. A program that is compiled without -fPIC has copies
+ * of its own of those that it names, which the library uses, too: they come first in the order in which symbols are looked for. */
 #ifdef OPEN_MPI
-#define OBJECT(to, name, value) found &= find(library, name, &(to))
+#define OBJECT(to, name, value) found &= find(RTLD_DEFAULT, name, &(to))
 #else
 #define OBJECT(to, name, value) (to) = (value)
 #endif

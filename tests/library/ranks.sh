@@ -10,8 +10,9 @@ export OMP_NUM_THREADS=1
 sed -e '/^dump/d; /^run/d; /^fix mean/d' "$top_srcdir/tests/rank/scenes/in.bed" >in.bed
 echo 'run 100' >>in.bed
 
+# As most programs are compiled: with copies of the objects of MPI in the program itself.
 # shellcheck disable=SC2046,SC2086
-$CC -Wall -Wextra -Werror -I"$top_srcdir/src" $CFLAGS $(pkg-config --cflags mpi-c) "$top_srcdir/tests/library/ranks.c" \
+$CC -Wall -Wextra -Werror -I"$top_srcdir/src" $CFLAGS -fPIE $(pkg-config --cflags mpi-c) "$top_srcdir/tests/library/ranks.c" \
 	"$top_builddir/libtsim_mpi.so" -Wl,-rpath,"$work" $(pkg-config --libs mpi-c) -o ranks >out 2>&1 &&
 	ln -s "$top_builddir/libtsim_mpi.so" libtsim_mpi.so.0
 report 'tsim_mpi.h' $? out
