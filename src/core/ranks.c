@@ -139,10 +139,9 @@ void ts_ranks_choose_steps(struct tsim *sim)
 	sim->run.undivided = what != NULL;
 	if (what && !before && ts_ranks_first(sim))
 		ts_warn(&sim->log, where,
-			"%s depends on all particles, a clock or random numbers, and acts in each step: all "
-			"%d "
-			"ranks do all steps with all particles, which takes as long as with one rank; see "
-			"doc/ranks.md",
+			"%s depends on all particles, a clock or random numbers, and acts in each step: "
+			"all %d ranks do all steps with all particles, which takes as long as with one rank; "
+			"see doc/ranks.md",
 			what, ts_ranks(sim));
 }
 
