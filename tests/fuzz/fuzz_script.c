@@ -1,6 +1,4 @@
-/* Any bytes as a script. "#explain" at the start: planned only. */
-#include <string.h>
-
+/* Any bytes as a script. */
 #include "sandbox.h"
 #include "scripts.h"
 
@@ -13,9 +11,6 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	static const char explain[] = "#explain";
-	bool planned = size > strlen(explain) && memcmp(data, explain, strlen(explain)) == 0;
-
-	fuzz_as_script(data, size, planned ? FUZZ_EXPLAIN : FUZZ_RUN);
+	fuzz_as_script(data, size, FUZZ_RUN);
 	return 0;
 }

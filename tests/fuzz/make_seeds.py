@@ -33,7 +33,7 @@ timestep 1e-3
 def scripts(path, text):
     """A deck, or the examples of a manual page, each in a scene of its own."""
     if not path.endswith(".md"):
-        return ["variable out index x\n" + text, "#explain\nvariable out index x\n" + text]
+        return ["variable out index x\n" + text]
     found = re.search(r"(?s)## Example\w*\n+```\n(.*?)```", text)
     return [BOX + found.group(1) + "run 2\n"] if found else []
 
@@ -64,7 +64,6 @@ def main():
             pieces.append(plain_sections(data))
         if what in ("script", "check", "explain"):
             pieces = [s.encode() for s in scripts(path, data.decode(errors="ignore"))]
-            pieces = pieces if what == "script" else pieces[:1]
         if what == "expression":
             pieces = [s.encode() for s in statements(data.decode(errors="ignore"))]
         for k, piece in enumerate(pieces):
