@@ -22,6 +22,21 @@ numbers_of() {
 	fi
 }
 
+# in_turn N FOLDER SCENE...: N ranks (2x2: two ranks of two threads) that are started once run in.SCENE after in.SCENE, each in
+# FOLDER/SCENE, with the log file `log`; what they print is in `out`. The start takes more time than many a scene.
+in_turn() {
+	local n=$1 folder=$2 scene
+	shift 2
+	for scene in "$@"; do
+		rm -rf "${folder:?}/$scene"
+		mkdir -p "$folder/$scene"
+		printf 'shell cd %s\nlog log\ninclude %s\nclear\nlegacy no\n' "$work/$folder/$scene" "$work/in.$scene"
+		awk '$1 == "variable" && !deleted[$2]++ { print "variable", $2, "delete" }' "in.$scene"
+	done >in.turns
+	OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
+		on_ranks "${n%x2}" "$TSIM" -in in.turns -log none -screen none -var out x >out 2>&1 </dev/null
+}
+
 # Whether mpirun is there, and the program was built with MPI; says what is missing
 has_ranks() {
 	has mpirun openmpi-bin || return

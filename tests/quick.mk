@@ -3,11 +3,11 @@
 # tests/house/quick.sh fails where a name is not that of a test.
 #
 #   seconds  test                           quick tests of the same subject
-#     110    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
+#     100    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      40    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
 #      50    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      10    rank/balance.sh                rank/check_loads
-#     120    rank/contract_ranks.sh         rank/contract.sh
+#     75     rank/contract_ranks.sh         rank/contract.sh
 #      37    rank/soak.sh                   rank/contract.sh
 #      12    rank/plan.sh                   rank/check_blocks
 #      20    rank/pause.sh                  rank/contract.sh
