@@ -37,6 +37,41 @@ in_turn() {
 		on_ranks "${n%x2}" "$TSIM" -in in.turns -log none -screen none -var out x >out 2>&1 </dev/null
 }
 
+# same_on_ranks N SCENE...: on N ranks, in folders ranks.N/SCENE, and alone
+same_on_ranks() {
+	local n=$1 scene
+	shift
+	in_turn "$n" "ranks.$n" "$@"
+	report "$n ranks run $*" $? out
+	for scene in "$@"; do
+		rows "ranks.$n/$scene/log" >"ranks.$n/$scene/x.rows"
+		diff -rq -x log -x out -x '*.restart' -x '*.h5' "alone/$scene" "ranks.$n/$scene" >difference
+		report "$scene: the same files on $n ranks" $? difference
+		[ ! -f "alone/$scene/x.h5" ] || [ "$(cmp -l "alone/$scene/x.h5" "ranks.$n/$scene/x.h5" 2>&1 | wc -l)" -le 32 ] # times at which objects were made
+		report "$scene: the same HDF5 file on $n ranks" $?
+	done
+}
+
+# same_scenes FIRST SCENE...: in.SCENE, whose files begin with ${out}, writes the same alone, in the folder alone/SCENE, and on the
+# numbers of ranks of numbers_of
+same_scenes() {
+	local first=$1 turn=0 scene n
+	local -A scenes_on
+	shift
+	for scene in "$@"; do
+		mkdir -p "alone/$scene"
+		(cd "alone/$scene" && timeout 300 "$TSIM" -in "../../in.$scene" -log log -screen none -var out x >out 2>&1 </dev/null)
+		report "$scene alone" $? "alone/$scene/out"
+		rows "alone/$scene/log" >"alone/$scene/x.rows"
+		for n in $(numbers_of "$first" $turn); do scenes_on[$n]+=" $scene"; done
+		turn=$((turn + 1))
+	done
+	for n in "${!scenes_on[@]}"; do
+		xargs -n 12 <<<"${scenes_on[$n]}" >"groups.$n" # so few that what ends one of them does not hide many
+		while read -r -a group; do same_on_ranks "$n" "${group[@]}"; done <"groups.$n"
+	done
+}
+
 # Whether mpirun is there, and the program was built with MPI; says what is missing
 has_ranks() {
 	has mpirun openmpi-bin || return

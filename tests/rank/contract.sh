@@ -140,36 +140,7 @@ film=film # needs HDF5 and ffmpeg
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
 # Of three scenes that follow each other the one that takes the longest time runs on 3 ranks, the shortest one on 7.
-turn=0
-declare -A scenes_on
-for scene in averages drum halves waves mill sieve voxels squeezed sorted tracers receding forces stream forces_hertz flat oil jet wafer fluid floating automaton submerged cg direct multigrid sor slabs slabs_told slabs_out slabs_cg fluid_ab2 slabs_implicit slabs_ab2 duct_implicit slabs_grids slabs_backward rock insertion pour beams springs glue cement brief fibres bit turning stretched rigid bodies clumps surface_heat heat_exact heat sticky warm host gap nozzle multicontact bridges legacy seam $film sheared crowd $hypre; do
-	mkdir -p "alone/$scene"
-	(cd "alone/$scene" && timeout 300 "$TSIM" -in "../../in.$scene" -log log -screen none -var out x >out 2>&1 </dev/null)
-	report "$scene alone" $? "alone/$scene/out"
-	rows "alone/$scene/log" >"alone/$scene/x.rows"
-	for n in $(numbers_of 2x2 $turn); do scenes_on[$n]+=" $scene"; done
-	turn=$((turn + 1))
-done
-
-# compare N SCENE...: on N ranks and alone
-compare() {
-	local n=$1 scene
-	shift
-	in_turn "$n" ranks "$@"
-	report "$n ranks run $*" $? out
-	for scene in "$@"; do
-		rows "ranks/$scene/log" >"ranks/$scene/x.rows"
-		diff -rq -x log -x out -x '*.restart' -x '*.h5' "alone/$scene" "ranks/$scene" >difference
-		report "$scene: the same files on $n ranks" $? difference
-		[ ! -f "alone/$scene/x.h5" ] || [ "$(cmp -l "alone/$scene/x.h5" "ranks/$scene/x.h5" 2>&1 | wc -l)" -le 32 ] # times at which objects were made
-		report "$scene: the same HDF5 file on $n ranks" $?
-	done
-}
-for n in "${!scenes_on[@]}"; do
-	# so few that what ends one of them does not hide many
-	xargs -n 12 <<<"${scenes_on[$n]}" >groups
-	while read -r -a group; do compare "$n" "${group[@]}"; done <groups
-done
+same_scenes 2x2 averages drum halves waves mill sieve voxels squeezed sorted tracers receding forces stream forces_hertz flat oil jet wafer fluid floating automaton submerged cg direct multigrid sor slabs slabs_told slabs_out slabs_cg fluid_ab2 slabs_implicit slabs_ab2 duct_implicit slabs_grids slabs_backward rock insertion pour beams springs glue cement brief fibres bit turning stretched rigid bodies clumps surface_heat heat_exact heat sticky warm host gap nozzle multicontact bridges legacy seam $film sheared crowd $hypre
 # The solver of hypre divided among ranks: results to its tolerance.
 for n in ${hypre:+1 $(numbers_of 2 0)}; do
 	n=${n%x2}

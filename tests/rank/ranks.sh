@@ -16,79 +16,46 @@ ranks() {
 	on_ranks "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 
-turn=0
-for scene in bed gas crossing outlet pushed burst looks named; do
-	"$TSIM" -in "$scenes/in.$scene" -log log.1 -screen none -var out one >out 2>&1
-	report "$scene runs alone" $? out
-	rows log.1 >rows.1
-	for n in $(numbers_of 2 $turn); do
-		OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \
-			ranks "${n%x2}" -in "$scenes/in.$scene" -log "log.$n" -screen none -var out many
-		report "$scene runs on $n ranks" $? out
-		rows "log.$n" >"rows.$n"
-		same "$scene: table on $n ranks" rows.1 "rows.$n"
-		same "$scene: dump on $n ranks" one.dump many.dump
-		same "$scene: averages on $n ranks" one.mean many.mean
-		for file in loads print touch pe; do
-			[ ! -f one.$file ] || same "$scene: $file on $n ranks" one.$file many.$file
-		done
-		if [ -f one.pairs ]; then
-			same "$scene: contacts on $n ranks" one.pairs many.pairs
-			same "$scene: distribution on $n ranks" one.rdf many.rdf
-		fi
-		rm -f many.*
-	done
-	turn=$((turn + 1))
-	rm -f one.pairs one.rdf one.loads one.print one.touch one.pe
+played='crossing gas bed outlet pushed burst looks named'
+for scene in $played; do cp "$scenes/in.$scene" .; done
+# shellcheck disable=SC2086
+same_scenes 2 $played
+for scene in $played; do
+	[ -s "alone/$scene/x.rows" ] && [ -s "alone/$scene/x.dump" ] && [ -s "alone/$scene/x.mean" ]
+	report "$scene has a table, a dump and averages" $?
 done
+[ -d ranks.2 ] || in_turn 2 ranks.2 looks named burst # other numbers were asked for
 # Outputs of in.looks read particles only, and checks of the time step need none of other ranks: contacts are gathered for the
 # end of the run.
-ranks 2 -in "$scenes/in.looks" -log log.looks -screen none -var out looks
 gathered() { awk '/all gathered/ { sub(/.*all gathered /, ""); print $1, $3 }' "$1"; }
-gathered log.looks | awk '{ exit !($1 > 100 && $2 == 1) }'
-report 'contacts are gathered at the end, where outputs do not read them' $? log.looks
+gathered ranks.2/looks/log | awk '{ exit !($1 > 100 && $2 == 1) }'
+report 'contacts are gathered at the end, where outputs do not read them' $? ranks.2/looks/log
 # Those of in.named do in 19 steps: in multiples of 60, 90, 100, 150 and 210.
-ranks 2 -in "$scenes/in.named" -log log.named -screen none -var out named
-gathered log.named | awk '{ exit !($1 > 300 && $2 == 19) }'
-report 'contacts are gathered where an output that is due reads them' $? log.named
+gathered ranks.2/named/log | awk '{ exit !($1 > 300 && $2 == 19) }'
+report 'contacts are gathered where an output that is due reads them' $? ranks.2/named/log
 # The cloud of in.burst leaves the block of one rank: the box is cut again while the particles are divided.
-ranks 2 -in "$scenes/in.burst" -log log.burst -screen none -var out burst
-awk '/imbalance/ { most = $NF } / all gathered / { sub(/.*all gathered /, ""); listed = $3 } END { exit !(most < 1.4 && listed <= 1) }' log.burst
-report 'uneven blocks are cut again' $? log.burst
+awk '/imbalance/ { most = $NF } / all gathered / { sub(/.*all gathered /, ""); listed = $3 } END { exit !(most < 1.4 && listed <= 1) }' ranks.2/burst/log
+report 'uneven blocks are cut again' $? ranks.2/burst/log
 # Of the particles of a bed in the lower part of its box each rank has about half.
 grep -v '^run' "$scenes/in.bed" >in.even
 printf 'region high block INF INF INF INF 0.02 INF units box\ngroup high region high\ndelete_atoms group high\nrun 10\n' >>in.even
 ranks 2 -in in.even -log log.even -screen none -var out even
 awk '/^Ranks:/ { least = $(NF - 4); most = $(NF - 2) } END { exit !(least > 0.8 * most) }' log.even
 report 'ranks have the same number of particles' $? log.even
-OMP_NUM_THREADS=2 ranks 2 -in "$scenes/in.bed" -log log.2 -screen none -var out many
-rows log.2 >rows.2
-"$TSIM" -in "$scenes/in.bed" -log log.1 -screen none -var out one >out 2>&1
-same 'two ranks of two threads' one.dump many.dump
+OMP_NUM_THREADS=2 ranks 2 -in in.bed -log none -screen none -var out many
+same 'two ranks of two threads' alone/bed/x.dump many.dump
 
 # resumed SCRIPT FIRST REST WORDS: the run is cut by a restart file of three ranks, which other numbers of ranks read; WORDS: of
-# the lines that are given again
-last_frame() { tail -n "$(awk '/ITEM: TIMESTEP/ { n = NR } END { print NR - n }' "$1")" "$1"; }
+# the lines that are given again. It writes the scripts: in.whole.NAME, in.first.NAME and in.second.NAME.
 resumed() {
-	local name=${1##*in.} n
-	grep -v '^run' "$1" >in.whole
-	printf 'run %d\nrun %d\n' "$2" "$3" | cat in.whole - >in.all
-	printf 'run %d\nwrite_restart cut.restart\n' "$2" | cat in.whole - >in.first
-	{ echo 'read_restart cut.restart' && grep -E "^($4)" "$1" && echo "run $3"; } >in.second
-	"$TSIM" -in in.all -log none -screen none -var out whole >out 2>&1
-	report "$name is not cut" $? out
-	ranks 3 -in in.first -log none -screen none -var out first
-	report "$name: three ranks write a restart file" $? out
-	last_frame whole*.dump >last.whole
-	for n in 2 1; do
-		ranks $n -in in.second -log none -screen none -var out second
-		report "$name: $n ranks read it" $? out
-		last_frame second*.dump >last.second
-		same "$name: $n ranks continue" last.whole last.second
-		rm -f second*
-	done
-	rm -f whole* first* cut.restart
+	local name=${1##*in.}
+	names+=("$name")
+	grep -v '^run' "$1" >part
+	printf 'run %d\nrun %d\n' "$2" "$3" | cat part - >"in.whole.$name"
+	printf 'run %d\nwrite_restart ../../cut.%s\n' "$2" "$name" | cat part - >"in.first.$name"
+	{ echo "read_restart ../../cut.$name" && grep -E "^($4)" "$1" && echo "run $3"; } >"in.second.$name"
 }
+names=()
 lines='newton|neighbor|neigh_modify|communicate|fix|pair|timestep|compute|variable|thermo|dump|print'
 resumed "$scenes/in.bed" 400 500 "$lines"
 resumed "$scenes/in.drum" 400 400 "$lines"
@@ -105,11 +72,31 @@ resumed "$scenes/in.sorted" 420 280 "$lines|region[[:space:]]+(part|lower|middle
 resumed "$scenes/in.sieve" 213 387 "$lines"
 resumed "$scenes/in.waves" 420 280 "$lines|region[[:space:]]+(tray|lump|paddle|low)"
 resumed "$top_srcdir/tests/decks/in.insertion" 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
+for name in "${names[@]}"; do
+	mkdir -p "whole/$name"
+	(cd "whole/$name" && "$TSIM" -in "../../in.whole.$name" -log none -screen none -var out x >out 2>&1)
+	report "$name is not cut" $? "whole/$name/out"
+done
+in_turn 3 first "${names[@]/#/first.}"
+report 'three ranks write restart files' $? out
+in_turn 2 second.2 "${names[@]/#/second.}"
+report 'two ranks read them' $? out
+last_frame() { tail -n "$(awk '/ITEM: TIMESTEP/ { n = NR } END { print NR - n }' "$1")" "$1"; }
+for name in "${names[@]}"; do
+	mkdir -p "second.1/second.$name"
+	(cd "second.1/second.$name" && "$TSIM" -in "../../in.second.$name" -log none -screen none -var out x >out 2>&1)
+	report "$name: one process reads it" $? "second.1/second.$name/out"
+	last_frame "whole/$name"/x*.dump >last.whole
+	for n in 2 1; do
+		last_frame "second.$n/second.$name"/x*.dump >last.second
+		same "$name: $n ranks continue" last.whole last.second
+	done
+done
 
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
 ranks 2 -in in.blocks -log log.2 -screen none -var out many
-same 'other blocks' one.dump many.dump
+same 'other blocks' alone/bed/x.dump many.dump
 grep -q 'Ranks: 2 as 1 x 1 x 2 blocks' log.2
 report 'the log tells the blocks' $? log.2
 sed 's/^processors.*/processors 3 1 1/' "$scenes/in.bed" >in.blocks
@@ -325,9 +312,9 @@ for n in 2 4; do
 		cmp alone.dump many.dump >>out
 	report "a fast particle that meets nothing, on $n ranks" $? out
 	fast 0.515 >in.fast
-	"$TSIM" -in in.fast -log none -var out alone >alone 2>&1
+	"$TSIM" -in in.fast -log none -var out alone >alone.out 2>&1
 	ranks $n -in in.fast -log none -var out many
-	grep -q 'particle 1 .* past particle 2:' alone && [ "$(grep 'error:' out)" = "$(grep 'error:' alone)" ]
+	grep -q 'particle 1 .* past particle 2:' alone.out && [ "$(grep 'error:' out)" = "$(grep 'error:' alone.out)" ]
 	report "a fast particle that meets one of another rank, on $n ranks" $? out
 done
 printf 'print "read $(2*21)"\n' | on_ranks 3 "$TSIM" -log none >out 2>&1
