@@ -17,12 +17,17 @@ struct ts_carried {
 	struct ts_parcel rows;
 };
 
+enum { TS_LEAVING_WORDS = 64 };
+
 /* Identities, in ascending order, of the particles that go to other ranks. */
 struct ts_leaving {
 	int32_t *tag;
 	size_t n;
+	uint64_t some[TS_LEAVING_WORDS]; /* each as the bit of its remainder: most others are told by it */
 };
 
+/* When all identities are there. */
+void ts_carried_sort(struct ts_leaving *leaving);
 bool ts_carried_leaves(const struct ts_leaving *leaving, int32_t tag);
 
 struct ts_carrier {

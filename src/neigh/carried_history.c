@@ -43,10 +43,10 @@ static void forget_pairs(struct ts_contact_list *list)
 }
 
 static enum ts_status save_history(struct tsim *sim, struct ts_contact_list *list, bool results,
-				   struct ts_contact_history *h)
+				   const struct ts_leaving *of, struct ts_contact_history *h)
 {
-	return sim->legacy == TS_LEGACY_LIGGGHTS ? ts_contact_history_save_all(sim, list, results, h)
-						 : ts_contact_history_save(sim, list, results, h);
+	return sim->legacy == TS_LEGACY_LIGGGHTS ? ts_contact_history_save_all(sim, list, results, of, h)
+						 : ts_contact_history_save(sim, list, results, of, h);
 }
 
 /* The rows of contact k. */
@@ -75,7 +75,7 @@ static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool resu
 		     (results ? sizeof *h.force : 0);
 	if (!nb->wanted || (leaving && !leaving->n))
 		return TS_OK;
-	TS_TRY(save_history(sim, &nb->contacts, results, &h));
+	TS_TRY(save_history(sim, &nb->contacts, results, leaving, &h));
 	for (size_t k = 0; k < h.n && status == TS_OK; k++)
 		status = add_rows(&h, k, results, leaving, out);
 	ts_contact_history_release(&h);
@@ -94,14 +94,10 @@ static enum ts_status turn(struct ts_instance *self, struct tsim *sim, const str
 	out->bytes = sizeof *h.key + nb->contacts.history_width * sizeof *h.value;
 	if (!nb->wanted || !turning->n)
 		return TS_OK;
-	TS_TRY(save_history(sim, &nb->contacts, false, &h));
-	for (size_t k = 0; k < h.n && status == TS_OK; k++) {
-		const int32_t *tag = h.key[k].tag;
-		bool turns = ts_carried_leaves(turning, tag[0]) || ts_carried_leaves(turning, tag[1]);
-
-		for (int m = 0; turns && m < 2 && status == TS_OK; m++)
-			status = add_row(&h, k, tag[m], false, out);
-	}
+	TS_TRY(save_history(sim, &nb->contacts, false, turning, &h));
+	for (size_t k = 0; k < h.n; k++)
+		for (int m = 0; m < 2 && status == TS_OK; m++)
+			status = add_row(&h, k, h.key[k].tag[m], false, out);
 	ts_contact_history_release(&h);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }

@@ -66,22 +66,25 @@ static void copy_force(double to[3], const double from[3], bool swapped)
 		to[k] = swapped ? -from[k] : from[k];
 }
 
-static bool is_saved(const struct ts_contact_list *list, size_t r, bool memories)
-{
-	bool is = ts_contact_touches(list, r);
-
-	for (size_t c = 0; memories && !is && c < list->history_width; c++)
-		is = ts_contact_history(list, r)[c] != 0;
-	return is;
-}
-
 /* Saving by shares of the list, in its order. */
 struct saving {
 	const struct ts_contact_list *list;
 	struct ts_contact_history *h;
+	const struct ts_leaving *of; /* NULL: pairs of all particles */
 	bool forces, memories, lend;
 	size_t shares, *first; /* by share: number of its contacts, then of those of the shares before */
 };
+
+static bool is_saved(const struct saving *s, size_t r)
+{
+	const struct ts_contact_list *list = s->list;
+	bool is = ts_contact_touches(list, r);
+
+	for (size_t c = 0; s->memories && !is && c < list->history_width; c++)
+		is = ts_contact_history(list, r)[c] != 0;
+	return is && (!s->of || ts_carried_leaves(s->of, ts_contact_tag(list, r, 0)) ||
+		      ts_carried_leaves(s->of, ts_contact_tag(list, r, 1)));
+}
 
 static void count_shares(void *context, size_t from, size_t to)
 {
@@ -91,7 +94,7 @@ static void count_shares(void *context, size_t from, size_t to)
 		size_t n = 0;
 
 		for (size_t r = s->list->n * t / s->shares; r < s->list->n * (t + 1) / s->shares; r++)
-			n += is_saved(s->list, r, s->memories);
+			n += is_saved(s, r);
 		s->first[t] = n;
 	}
 }
@@ -108,7 +111,7 @@ static void save_shares(void *context, size_t from, size_t to)
 		for (size_t r = list->n * t / s->shares; r < list->n * (t + 1) / s->shares; r++) {
 			bool swapped;
 
-			if (!is_saved(list, r, s->memories))
+			if (!is_saved(s, r))
 				continue;
 			s->h->key[n] = make_key(list, r, &swapped);
 			if (s->forces)
@@ -144,11 +147,13 @@ static enum ts_status save_shares_of(struct tsim *sim, struct saving *s, bool fo
 }
 
 static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *list, bool forces,
-				    bool memories, bool lend, struct ts_contact_history *h)
+				    bool memories, const struct ts_leaving *of, bool lend,
+				    struct ts_contact_history *h)
 {
 	/* the results are not kept after a step that failed: then forces are 0 */
 	struct saving s = { .list = list,
 			    .h = h,
+			    .of = of,
 			    .forces = forces && list->results == TS_RESULTS_KEPT,
 			    .memories = memories,
 			    .lend = lend,
@@ -170,21 +175,21 @@ static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *li
 }
 
 enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list *list, bool forces,
-				       struct ts_contact_history *h)
+				       const struct ts_leaving *of, struct ts_contact_history *h)
 {
-	return save_contacts(sim, list, forces, false, false, h);
+	return save_contacts(sim, list, forces, false, of, false, h);
 }
 
 enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_list *list, bool forces,
-					   struct ts_contact_history *h)
+					   const struct ts_leaving *of, struct ts_contact_history *h)
 {
-	return save_contacts(sim, list, forces, true, false, h);
+	return save_contacts(sim, list, forces, true, of, false, h);
 }
 
 enum ts_status ts_contact_history_carry(struct tsim *sim, struct ts_contact_list *list, bool forces,
 					struct ts_contact_history *h)
 {
-	TS_TRY(save_contacts(sim, list, forces, sim->legacy == TS_LEGACY_LIGGGHTS, true, h));
+	TS_TRY(save_contacts(sim, list, forces, sim->legacy == TS_LEGACY_LIGGGHTS, NULL, true, h));
 	list->active_chosen = false;
 	return TS_OK;
 }

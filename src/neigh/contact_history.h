@@ -3,6 +3,7 @@
 #ifndef TS_NEIGH_CONTACT_HISTORY_H
 #define TS_NEIGH_CONTACT_HISTORY_H
 
+#include "core/carried.h"
 #include "neigh/contact_list.h"
 
 enum { TS_HISTORY_OTHER_SIDE = 1 << 30 }; /* see the winding of a key */
@@ -24,13 +25,13 @@ struct ts_contact_history {
 };
 
 /* Copies the history of the touching pairs, and on request their forces: a run that continues with the forces
- * of the last step outputs the contacts of that step. */
+ * of the last step outputs the contacts of that step. `of`: only pairs of these particles; NULL: all. */
 enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list *list, bool forces,
-				       struct ts_contact_history *h);
+				       const struct ts_leaving *of, struct ts_contact_history *h);
 /* The same as LIGGGHTS does it: copies the history of all pairs that have any, also of those that have
  * parted; it is given back only to pairs that overlap then, or, where lists are made again between rebuilds, to all. */
 enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_list *list, bool forces,
-					   struct ts_contact_history *h);
+					   const struct ts_leaving *of, struct ts_contact_history *h);
 /* The one or the other, for the next list: the copy is in memory of the list that serves again when active pairs are chosen, so
  * that it takes no more; until then it must have been restored. */
 enum ts_status ts_contact_history_carry(struct tsim *sim, struct ts_contact_list *list, bool forces,

@@ -140,7 +140,19 @@ static void order_images_share(void *context, size_t from, size_t to)
 		order_images(list, g->first[i], g->first[i + 1]);
 }
 
-static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list *list)
+/* Whether two images of a particle can be partners of the same one: no two are nearer each other than the least length of a
+ * periodic box. reach: the largest distance of partners. */
+static bool images_meet(const struct tsim *sim, double reach)
+{
+	const struct ts_domain *d = sim->domain;
+	bool meet = false;
+
+	for (int dim = 0; dim < 3; dim++)
+		meet |= ts_box_periodic(&d->box, dim) && !(d->held_hi[dim] - d->held_lo[dim] > 2.001 * reach);
+	return meet;
+}
+
+static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list *list, double reach)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_gather_pairs pairs = {
@@ -149,7 +161,7 @@ static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list
 
 	if (ts_gather_index(sim, &list->gather, &pairs) != TS_OK)
 		return ts_nomem(&sim->error);
-	if (p->nghost)
+	if (p->nghost && images_meet(sim, reach))
 		ts_parallel(ts_team(sim, 4 * list->n), p->n, order_images_share, list);
 	return TS_OK;
 }
@@ -179,6 +191,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	size_t all = sim->particles->n + sim->particles->nghost;
 	struct fill_task task = { list, found };
 	bool coincide;
+	double reach;
 
 	if (!sim->run.resuming) /* forces are saved only for a run that is continued */
 		ts_force_slots_forget(list);
@@ -203,10 +216,11 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 		memset(list->sphere, 0, all * sizeof *list->sphere);
 	ts_parallel(found->shares, (size_t)found->shares, write_shares, &task);
 	coincide = found->coincide;
+	reach = 2 * found->cells.level[0].reach + found->skin;
 	ts_contact_search_release(found);
 	if (coincide && !list->both_frozen)
 		TS_TRY(ts_coincide_check_pairs(sim, list));
-	TS_TRY(index_by_particle(sim, list));
+	TS_TRY(index_by_particle(sim, list, reach));
 	if (sim->run.resuming) /* outputs may read forces before they are computed */
 		TS_TRY(ts_force_slots_keep_all(sim, list));
 	return ts_contact_history_restore(sim, old, list);

@@ -399,7 +399,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");
 	if (!ts_archive_writing(a) || nb->saved.n)
 		return ts_contact_history_archive(a, sim, &nb->saved);
-	TS_TRY(ts_contact_history_save(sim, &nb->contacts, true, &h));
+	TS_TRY(ts_contact_history_save(sim, &nb->contacts, true, NULL, &h));
 	status = ts_contact_history_archive(a, sim, &h);
 	ts_contact_history_release(&h);
 	return status;

@@ -221,26 +221,27 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 	return TS_OK;
 }
 
-static void copy_row(struct ts_particles *p, size_t from, size_t to)
+/* The rows may overlap. */
+static void move_rows(struct ts_particles *p, size_t from, size_t n, size_t to)
 {
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active)
-			memcpy(column_row(&p->column[k], to), column_row(&p->column[k], from),
-			       p->column[k].width * p->column[k].element);
+			memmove(column_row(&p->column[k], to), column_row(&p->column[k], from),
+				n * p->column[k].width * p->column[k].element);
 }
 
 enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag)
 {
 	struct ts_particles *p = sim->particles;
-	size_t kept = 0;
+	size_t kept = 0, end = 0;
 
 	p->nghost = 0;
-	for (size_t i = 0; i < p->n; i++) {
-		if (flag[i])
-			continue;
-		if (kept != i)
-			copy_row(p, i, kept);
-		kept++;
+	for (size_t i = 0; i < p->n; i = end + 1) { /* all rows up to the next one that goes */
+		for (end = i; end < p->n && !flag[end]; end++)
+			;
+		if (kept != i && end > i)
+			move_rows(p, i, end - i, kept);
+		kept += end - i;
 	}
 	p->n = kept;
 	sim->generation++;

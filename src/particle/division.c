@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/sort.h"
 #include "box/domain.h"
 #include "core/plan.h"
 #include "core/ranks.h"
@@ -150,7 +149,7 @@ static enum ts_status find_leaving(struct tsim *sim, int32_t *to, struct ts_leav
 			return ts_nomem(&sim->error);
 		leaving->tag[leaving->n++] = p->tag[i];
 	}
-	ts_sort(leaving->tag, leaving->n, sizeof *leaving->tag, ts_compare_int32);
+	ts_carried_sort(leaving);
 	return TS_OK;
 }
 

@@ -4,7 +4,6 @@
  * the other one. All other rows stay where their particles stay. */
 #include "particle/turning.h"
 
-#include "base/sort.h"
 #include "box/domain.h"
 #include "particle/carrier_rows.h"
 
@@ -82,7 +81,7 @@ static enum ts_status find_turning(struct tsim *sim, struct turning *t)
 {
 	TS_TRY(note_own(sim, t));
 	TS_TRY(note_copies(sim, t));
-	ts_sort(t->tags.tag, t->tags.n, sizeof *t->tags.tag, ts_compare_int32);
+	ts_carried_sort(&t->tags);
 	return TS_OK;
 }
 
