@@ -107,7 +107,10 @@ enum ts_rank_use {
 	TS_RANKS_ROWLESS = 128,
 	/* Commands that act on each particle by itself, so that ranks call them while each has its own of the particles that
 	 * commands have made, before the first run: core/ranks_pause.h. They call ts_ranks_unite where they need all. */
-	TS_RANKS_ROWS = 256
+	TS_RANKS_ROWS = 256,
+	/* Computes whose outputs are exact sums over a group: all ranks may evaluate them together while the particles are
+	 * divided. */
+	TS_RANKS_SUMS = 512
 };
 
 struct ts_carrier;

@@ -22,7 +22,7 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 const struct ts_style ts_compute_erotate_sphere = {
 	.name = "erotate/sphere",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_SUMS,
 	.summary = "Rotational kinetic energy",
 	.doc = "Sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs). The sum is "
 	       "exact and rounded once. It is 0 if no style of the script makes particles rotate. Spheres of "

@@ -22,7 +22,7 @@ TS_STYLE(compute, ts_style, ts_compute_ke)
 const struct ts_style ts_compute_ke = {
 	.name = "ke",
 	.kind = TS_KIND_COMPUTE,
-	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_SUMS,
 	.summary = "Translational kinetic energy",
 	.doc = "Sum of m v^2 / 2 over the group, without rotation (see compute erotate/sphere). The sum is "
 	       "exact and rounded once, so it does not depend on the order of particles. A clump of fix "

@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "core/settings.h"
 #include "io/csv.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 
@@ -290,10 +291,13 @@ static bool is_sum(const struct tsim *sim, const struct ts_thermo_column *c)
 {
 	enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX };
 	const struct ts_keyword *keyword = ts_keyword_find(sim->tables, c->input.name);
+	const struct ts_ref *ref = &c->input.ref;
 	struct ts_word word = { .text = c->input.name };
 
 	if (keyword)
 		return keyword->flags & (ALONE | TS_KEYWORD_SUM);
+	if (ref->inst && ref->removals == sim->removals && ref->inst->style->ranks & TS_RANKS_SUMS)
+		return !sim->particles->dynamic[ref->inst->group].every;
 	return !ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 });
 }
 

@@ -58,6 +58,29 @@ E2
 same_on rest 2 3 4
 gathered 0 0 0 0 0 0 0 0 0 4
 
+# Rows with sums over groups, but a dynamic one, whose members all ranks choose together: that in the second run.
+{
+	cat in.start
+	cat <<'E2'
+region low block INF INF INF INF INF 0.01 units box
+group low region low
+compute ke low ke
+compute spin all erotate/sphere
+thermo_style custom step atoms c_ke c_spin
+thermo_modify format float %.17g
+thermo 20
+run 40
+group now dynamic all region low every 10
+compute moving now ke
+thermo_style custom step c_moving c_spin
+thermo_modify format float %.17g
+run 40
+E2
+	echo "$frame"
+} >in.sums
+same_on sums 2 3 4
+gathered 0 4 5
+
 # Lines that need all particles, before runs that go on with those of each rank.
 {
 	cat in.start
