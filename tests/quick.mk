@@ -3,16 +3,16 @@
 # tests/house/quick.sh fails where a name is not that of a test.
 #
 #   seconds  test                           quick tests of the same subject
-#     100    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
+#      97    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      40    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
-#      50    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
+#      35    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      10    rank/balance.sh                rank/check_loads
-#     75     rank/contract_ranks.sh         rank/contract.sh
-#      37    rank/soak.sh                   rank/contract.sh
+#      75    rank/contract_ranks.sh         rank/contract.sh
+#      14    rank/soak.sh                   rank/contract.sh
 #      12    rank/plan.sh                   rank/check_blocks
-#      20    rank/pause.sh                  rank/contract.sh
+#       5    rank/pause.sh                  rank/contract.sh
 #       8    rank/memory.sh                 rank/contract.sh
-#      25    rank/apart.sh                  rank/contract.sh
+#      10    rank/apart.sh                  rank/contract.sh
 #       8    rank/create.sh                 rank/contract.sh
 #       6    rank/read_data.sh              rank/contract.sh
 #       6    rank/timer.sh                  rank/contract.sh
@@ -42,9 +42,9 @@
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
-#       8    house/dist.sh                  library/check_library
+#       6    house/dist.sh                  library/check_library
 #       5    house/install.sh               library/check_library
-#      25    manual/book.sh                 manual/links.sh
+#      18    manual/book.sh                 manual/links.sh
 #      14    manual/first_hour.sh           mesh/mesh_primitive.sh
 #       4    coupling/momentum.sh           coupling/check_coupling
 long_tests = \

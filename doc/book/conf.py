@@ -20,7 +20,7 @@ from sphinx.util import logging
 logger = logging.getLogger(__name__)
 
 # Trees of hundreds of pages are kept: looking through them for cycles again and again takes a third of the time.
-gc.set_threshold(200000, 50, 1000)
+gc.set_threshold(1000000, 50, 1000)
 
 project = "tsim"
 author = "the tsim authors"
