@@ -7,26 +7,17 @@
 
 #include "base/banned.h"
 
-static size_t word_of(int32_t tag)
-{
-	return (size_t)tag / 64 % TS_LEAVING_WORDS;
-}
-
-static uint64_t bit_of(int32_t tag)
-{
-	return (uint64_t)1 << (tag & 63);
-}
-
 void ts_carried_sort(struct ts_leaving *leaving)
 {
 	ts_sort(leaving->tag, leaving->n, sizeof *leaving->tag, ts_compare_int32);
 	for (size_t k = 0; k < leaving->n; k++)
-		leaving->some[word_of(leaving->tag[k])] |= bit_of(leaving->tag[k]);
+		leaving->some[(uint32_t)leaving->tag[k] / 64 % TS_LEAVING_WORDS] |= (uint64_t)1
+										    << (leaving->tag[k] & 63);
 }
 
 bool ts_carried_leaves(const struct ts_leaving *leaving, int32_t tag)
 {
-	return leaving->some[word_of(tag)] & bit_of(tag) &&
+	return ts_carried_may_leave(leaving, tag) &&
 	       bsearch(&tag, leaving->tag, leaving->n, sizeof tag, ts_compare_int32);
 }
 

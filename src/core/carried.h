@@ -17,7 +17,7 @@ struct ts_carried {
 	struct ts_parcel rows;
 };
 
-enum { TS_LEAVING_WORDS = 64 };
+enum { TS_LEAVING_WORDS = 512 };
 
 /* Identities, in ascending order, of the particles that go to other ranks. */
 struct ts_leaving {
@@ -28,6 +28,13 @@ struct ts_leaving {
 
 /* When all identities are there. */
 void ts_carried_sort(struct ts_leaving *leaving);
+
+/* False of most particles that stay; without branches. */
+static inline bool ts_carried_may_leave(const struct ts_leaving *leaving, int32_t tag)
+{
+	return leaving->some[(uint32_t)tag / 64 % TS_LEAVING_WORDS] >> (tag & 63) & 1;
+}
+
 bool ts_carried_leaves(const struct ts_leaving *leaving, int32_t tag);
 
 struct ts_carrier {

@@ -75,52 +75,100 @@ struct saving {
 	size_t shares, *first; /* by share: number of its contacts, then of those of the shares before */
 };
 
-static bool is_saved(const struct saving *s, size_t r)
+static bool has_state(const struct ts_contact_list *list, size_t r, bool memories)
+{
+	bool has = ts_contact_touches(list, r);
+
+	for (size_t c = 0; memories && !has && c < list->history_width; c++)
+		has = ts_contact_history(list, r)[c] != 0;
+	return has;
+}
+
+/* Leaves out the pairs without a particle that leaves. */
+static size_t keep_leaving(const struct saving *s, uint32_t *row, size_t n)
+{
+	size_t kept = 0;
+
+	for (size_t k = 0; k < n; k++) {
+		row[kept] = row[k];
+		kept += ts_carried_leaves(s->of, ts_contact_tag(s->list, row[k], 0)) ||
+			ts_carried_leaves(s->of, ts_contact_tag(s->list, row[k], 1));
+	}
+	return kept;
+}
+
+enum { SOME_PAIRS = 1024 };
+
+/* Those of the pairs from .. to-1, at most SOME_PAIRS, that are saved. Without branches, since nobody can foretell them. */
+static size_t choose_pairs(const struct saving *s, size_t from, size_t to, uint32_t *row)
 {
 	const struct ts_contact_list *list = s->list;
-	bool is = ts_contact_touches(list, r);
+	const struct ts_leaving *of = s->of;
+	const bool memories = s->memories;
+	size_t n = 0;
 
-	for (size_t c = 0; s->memories && !is && c < list->history_width; c++)
-		is = ts_contact_history(list, r)[c] != 0;
-	return is && (!s->of || ts_carried_leaves(s->of, ts_contact_tag(list, r, 0)) ||
-		      ts_carried_leaves(s->of, ts_contact_tag(list, r, 1)));
+	for (size_t r = from; r < to; r++) {
+		bool is = has_state(list, r, memories);
+
+		if (of)
+			is &= ts_carried_may_leave(of, ts_contact_tag(list, r, 0)) |
+			      ts_carried_may_leave(of, ts_contact_tag(list, r, 1));
+		row[n] = (uint32_t)r;
+		n += is;
+	}
+	return of ? keep_leaving(s, row, n) : n;
+}
+
+/* Calls choose_pairs for the next pairs of share t, from *r on. */
+static size_t next_pairs(const struct saving *s, size_t t, size_t *r, uint32_t *row)
+{
+	size_t from = *r, end = s->list->n * (t + 1) / s->shares;
+
+	*r = end - from < SOME_PAIRS ? end : from + SOME_PAIRS;
+	return choose_pairs(s, from, *r, row);
 }
 
 static void count_shares(void *context, size_t from, size_t to)
 {
 	const struct saving *s = context;
+	uint32_t row[SOME_PAIRS];
 
 	for (size_t t = from; t < to; t++) {
 		size_t n = 0;
 
-		for (size_t r = s->list->n * t / s->shares; r < s->list->n * (t + 1) / s->shares; r++)
-			n += is_saved(s, r);
+		for (size_t r = s->list->n * t / s->shares; r < s->list->n * (t + 1) / s->shares;)
+			n += next_pairs(s, t, &r, row);
 		s->first[t] = n;
 	}
+}
+
+static void save_pair(const struct saving *s, size_t r, size_t n)
+{
+	const struct ts_contact_list *list = s->list;
+	const size_t width = s->h->width;
+	bool swapped;
+
+	s->h->key[n] = make_key(list, r, &swapped);
+	if (s->forces)
+		copy_force(s->h->force[n], ts_contact_force(list, ts_contact_kept(list, r)), swapped);
+	if (width)
+		copy_signed(s->h->value + n * width, ts_contact_history(list, r), width, list->history_sign,
+			    swapped);
 }
 
 static void save_shares(void *context, size_t from, size_t to)
 {
 	const struct saving *s = context;
-	const struct ts_contact_list *list = s->list;
-	const size_t width = s->h->width;
+	uint32_t row[SOME_PAIRS];
 
 	for (size_t t = from; t < to; t++) {
 		size_t n = s->first[t];
 
-		for (size_t r = list->n * t / s->shares; r < list->n * (t + 1) / s->shares; r++) {
-			bool swapped;
+		for (size_t r = s->list->n * t / s->shares; r < s->list->n * (t + 1) / s->shares;) {
+			size_t some = next_pairs(s, t, &r, row);
 
-			if (!is_saved(s, r))
-				continue;
-			s->h->key[n] = make_key(list, r, &swapped);
-			if (s->forces)
-				copy_force(s->h->force[n], ts_contact_force(list, ts_contact_kept(list, r)),
-					   swapped);
-			if (width)
-				copy_signed(s->h->value + n * width, ts_contact_history(list, r), width,
-					    list->history_sign, swapped);
-			n++;
+			for (size_t k = 0; k < some; k++)
+				save_pair(s, row[k], n++);
 		}
 	}
 }
