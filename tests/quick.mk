@@ -3,7 +3,7 @@
 # tests/house/quick.sh fails where a name is not that of a test.
 #
 #   seconds  test                           quick tests of the same subject
-#      97    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
+#     107    fuzz/fuzz.sh                   script/mistakes.sh (it compiles the library again)
 #      40    restart/restart_every.sh       restart/restart_changes.sh, restart/restart_streams.sh
 #      35    rank/ranks.sh                  rank/check_blocks, rank/contract.sh
 #      10    rank/balance.sh                rank/check_loads

@@ -92,6 +92,8 @@ static void set_defaults(struct tsim *sim)
 	ts_review_set(sim, NULL, TS_REVIEW_WARN);
 	sim->review.made = sim->review.stale = sim->review.doubtful = false;
 	sim->units_given = false;
+	sim->legacy = sim->legacy_option;
+	sim->run.undivided = false;
 	sim->run.timeout = 0;
 	sim->run.timeout_every = 10;
 	for (int k = 0; k < TS_NSTANDARD; k++)

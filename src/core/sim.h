@@ -212,7 +212,8 @@ struct tsim {
 	/* `newton on`, `communicate ... vel no`: no effect, but pair gran refuses them */
 	bool newton_on, still_ghosts;
 	enum ts_legacy legacy;
-	unsigned full; /* bits of enum ts_full */
+	enum ts_legacy legacy_option; /* with which the program was started: `clear` returns to it */
+	unsigned full;		      /* bits of enum ts_full */
 
 	struct ts_reading reading;
 	struct ts_run_state run;

@@ -85,7 +85,7 @@ static bool has_state(const struct ts_contact_list *list, size_t r, bool memorie
 }
 
 /* Leaves out the pairs without a particle that leaves. */
-static size_t keep_leaving(const struct saving *s, uint32_t *row, size_t n)
+static size_t keep_leaving(const struct saving *s, size_t *row, size_t n)
 {
 	size_t kept = 0;
 
@@ -100,7 +100,7 @@ static size_t keep_leaving(const struct saving *s, uint32_t *row, size_t n)
 enum { SOME_PAIRS = 1024 };
 
 /* Those of the pairs from .. to-1, at most SOME_PAIRS, that are saved. Without branches, since nobody can foretell them. */
-static size_t choose_pairs(const struct saving *s, size_t from, size_t to, uint32_t *row)
+static size_t choose_pairs(const struct saving *s, size_t from, size_t to, size_t *row)
 {
 	const struct ts_contact_list *list = s->list;
 	const struct ts_leaving *of = s->of;
@@ -113,14 +113,14 @@ static size_t choose_pairs(const struct saving *s, size_t from, size_t to, uint3
 		if (of)
 			is &= ts_carried_may_leave(of, ts_contact_tag(list, r, 0)) |
 			      ts_carried_may_leave(of, ts_contact_tag(list, r, 1));
-		row[n] = (uint32_t)r;
+		row[n] = r;
 		n += is;
 	}
 	return of ? keep_leaving(s, row, n) : n;
 }
 
 /* Calls choose_pairs for the next pairs of share t, from *r on. */
-static size_t next_pairs(const struct saving *s, size_t t, size_t *r, uint32_t *row)
+static size_t next_pairs(const struct saving *s, size_t t, size_t *r, size_t *row)
 {
 	size_t from = *r, end = s->list->n * (t + 1) / s->shares;
 
@@ -131,7 +131,7 @@ static size_t next_pairs(const struct saving *s, size_t t, size_t *r, uint32_t *
 static void count_shares(void *context, size_t from, size_t to)
 {
 	const struct saving *s = context;
-	uint32_t row[SOME_PAIRS];
+	size_t row[SOME_PAIRS];
 
 	for (size_t t = from; t < to; t++) {
 		size_t n = 0;
@@ -159,7 +159,7 @@ static void save_pair(const struct saving *s, size_t r, size_t n)
 static void save_shares(void *context, size_t from, size_t to)
 {
 	const struct saving *s = context;
-	uint32_t row[SOME_PAIRS];
+	size_t row[SOME_PAIRS];
 
 	for (size_t t = from; t < to; t++) {
 		size_t n = s->first[t];

@@ -158,7 +158,7 @@ static int set_legacy(struct tsim *sim, const char *of)
 	if (of && !ts_streq(of, "lammps"))
 		return ts_program_usage_error("expected lammps or nothing after -legacy, found '%s'%s", of,
 					      "");
-	sim->legacy = of ? TS_LEGACY_LAMMPS : TS_LEGACY_LIGGGHTS;
+	sim->legacy = sim->legacy_option = of ? TS_LEGACY_LAMMPS : TS_LEGACY_LIGGGHTS;
 	return 0;
 }
 

@@ -64,4 +64,13 @@ cp "$top_srcdir"/examples/drilling/in.* .
 "$TSIM" -check -in in.drilling >out 2>err
 ! grep 'never used' out
 report 'the example uses all its names' $? out
+# `clear` returns to what the program was started with.
+printf '%s\n' 'region b block 0 1 0 1 0 1' 'create_box 1 b' 'variable lengthened equal 1' 'thermo_style custom step v_lengthened' 'run 0' >in.rest
+(echo 'legacy yes' && cat in.rest) >in.legacy
+(printf 'legacy yes\nclear\n' && cat in.rest) >in.cleared
+(printf 'legacy no\nclear\n' && cat in.rest) >in.asked
+for script in rest legacy cleared; do "$TSIM" -in in.$script -log none | grep ' Step ' >head.$script; done
+"$TSIM" -in in.asked -log none -legacy | grep ' Step ' >head.asked
+! cmp -s head.rest head.legacy && cmp head.rest head.cleared && cmp head.legacy head.asked
+report 'legacy after clear' $?
 finish
