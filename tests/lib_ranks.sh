@@ -30,7 +30,7 @@ in_turn() {
 	for scene in "$@"; do
 		rm -rf "${folder:?}/$scene"
 		mkdir -p "$folder/$scene"
-		printf 'shell cd %s\nlog log\ninclude %s\nclear\nlegacy no\n' "$work/$folder/$scene" "$work/in.$scene"
+		printf 'shell cd %s\nlog log\ninclude %s\nclear\n' "$work/$folder/$scene" "$work/in.$scene"
 		awk '$1 == "variable" && !deleted[$2]++ { print "variable", $2, "delete" }' "in.$scene"
 	done >in.turns
 	OMP_NUM_THREADS=$([ "$n" = 2x2 ] && echo 2 || echo 1) \

@@ -129,12 +129,13 @@ void ts_ranks_choose_steps(struct tsim *sim)
 {
 	const struct ts_place *where = ts_sim_word(sim, 0, NULL);
 	const bool before = sim->run.undivided;
-	const char *what = NULL;
+	const char *what;
 	char text[128];
 
-	if (ts_ranks(sim) > 1)
-		what = find_shared_system(sim);
-	if (ts_ranks(sim) > 1 && !what)
+	if (ts_ranks(sim) == 1)
+		return;
+	what = find_shared_system(sim);
+	if (!what)
 		what = find_shared_argument(sim, text, &where);
 	sim->run.undivided = what != NULL;
 	if (what && !before && ts_ranks_first(sim))

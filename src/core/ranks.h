@@ -36,15 +36,14 @@ double ts_ranks_same(const struct tsim *sim, double value);
 /* With several ranks returns an error if the style is not made for them. `what`: kind and name for the message. */
 enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
 			      const struct ts_place *where);
+/* The same for an option; `what`: its name. */
+enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
 /* The first word that names a value which ranks with particles of their own do not have: an output, or a variable that
  * depends on all particles. NULL: none. */
 const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words);
 /* Whether a variable, NAME or v_NAME, is such a value; NULL: no. */
 bool ts_ranks_variable_shared(const struct tsim *sim, const char *variable);
-/* The same for an option; `what`: its name. */
-enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct ts_place *where);
-/* Between two calls formulas of commands are evaluated, which are also evaluated while the particles are divided; those of
- * styles: ts_ranks_allow. */
+/* Between two calls formulas are evaluated while the particles are divided: what depends on all of them is an error. */
 void ts_ranks_apart(struct tsim *sim, bool begins);
 /* Before a run: where a fix, the flow style or a region acts in each step by a value that depends on all particles, all ranks
  * do all steps with all particles, and a warning tells. */

@@ -330,14 +330,16 @@ static enum ts_status solve_divided(const struct component *of)
 					    .of = of };
 
 	TS_TRY(ts_transposition_room(&t));
-	if (!of->step->rehearsal)
-		solve_own_planes(of);
+	if (of->step->rehearsal) {
+		ts_transpose(&t, false);
+		ts_transpose(&t, true);
+		return TS_OK;
+	}
+	solve_own_planes(of);
 	ts_transpose(&t, false);
-	if (!of->step->rehearsal)
-		solve_own_rows(of);
+	solve_own_rows(of);
 	ts_transpose(&t, true);
-	if (!of->step->rehearsal)
-		add_own_velocity(of);
+	add_own_velocity(of);
 	return TS_OK;
 }
 
@@ -365,8 +367,7 @@ static enum ts_status solve_component(const struct ts_viscous_step *step, int c,
 	find_planes(&of);
 	if (ts_slabs_ranks(step->slabs) > 1)
 		return solve_divided(&of);
-	if (!step->rehearsal)
-		solve_whole(&of);
+	solve_whole(&of);
 	return TS_OK;
 }
 

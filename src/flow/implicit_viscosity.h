@@ -19,7 +19,7 @@ struct ts_viscous_step {
 	double nu, dt, theta;
 	int threads;
 	struct ts_slabs *slabs; /* of ranks, in three dimensions; NULL or not active: this one solves all */
-	bool rehearsal; /* ranks exchange what they do in a step, and solve nothing (rank/rehearsal.h) */
+	bool rehearsal; /* of active slabs: ranks exchange what they do in a step, and solve nothing (rank/rehearsal.h) */
 };
 /* out: on entry u + dt (convection and body force), on return u*, at faces where the velocity is not
  * given. */

@@ -55,10 +55,8 @@ void ts_direct_exchange(const struct ts_direct *s, bool back)
 		ts_transpose(&t, back);
 }
 
-enum ts_status ts_direct_rehearse(struct ts_direct *s)
+void ts_direct_rehearse(const struct ts_direct *s)
 {
-	TS_TRY(ts_direct_divide(s, s->slabs)); /* room of this rank */
 	ts_direct_exchange(s, false);
 	ts_direct_exchange(s, true);
-	return TS_OK;
 }

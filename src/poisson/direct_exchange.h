@@ -11,7 +11,7 @@ enum ts_status ts_direct_divide(struct ts_direct *solver, struct ts_slabs *slabs
 bool ts_direct_divided(const struct ts_direct *solver);
 /* Each rank gets its modes of all planes; `back`: all modes of its planes. */
 void ts_direct_exchange(const struct ts_direct *solver, bool back);
-/* The exchanges of a solve, for the present rank of the communicator of the slabs (rank/rehearsal.h). */
-enum ts_status ts_direct_rehearse(struct ts_direct *solver);
+/* The exchanges of a solve (rank/rehearsal.h). When the rank is another one it is divided again before, for the room. */
+void ts_direct_rehearse(const struct ts_direct *solver);
 
 #endif

@@ -141,15 +141,13 @@ static void precondition_by_direct(void *context, const double *r, double *z)
 	ts_direct_solve(&c->direct, z, z);
 }
 
-/* The direct solver has its room already: ts_preconditioned_rehearse. */
-static void exchange_direct(void *context, const double *r, double *z)
+static void rehearse_direct(void *context, const double *r, double *z)
 {
 	const struct ts_preconditioned *c = context;
 
 	(void)r;
 	(void)z;
-	ts_direct_exchange(&c->direct, false);
-	ts_direct_exchange(&c->direct, true);
+	ts_direct_rehearse(&c->direct);
 }
 
 enum ts_status ts_preconditioned_rehearse(struct ts_instance *self, int iterations)
@@ -166,7 +164,7 @@ enum ts_status ts_preconditioned_rehearse(struct ts_instance *self, int iteratio
 					       iterations);
 	else
 		ts_conjugate_gradient_rehearse(&c->conjugate, &it->stencil,
-					       kind == TS_PRECONDITION_DIRECT ? exchange_direct : NULL, c,
+					       kind == TS_PRECONDITION_DIRECT ? rehearse_direct : NULL, c,
 					       iterations);
 	return TS_OK;
 }

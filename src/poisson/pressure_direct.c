@@ -53,7 +53,9 @@ static enum ts_status rehearse(struct ts_instance *self, int iterations)
 	struct ts_direct *solver = &((struct direct *)self->state)->solver;
 
 	(void)iterations;
-	return ts_direct_rehearse(solver);
+	TS_TRY(ts_direct_divide(solver, solver->slabs));
+	ts_direct_rehearse(solver);
+	return TS_OK;
 }
 
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
