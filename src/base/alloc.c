@@ -110,6 +110,55 @@ void *ts_alloc_unset(size_t n, size_t size)
 	return allocate_aligned(n, size, &bytes);
 }
 
+/* Before each block of ts_alloc_pages, at the beginning of a cache line. */
+union pages_header {
+	size_t mapped; /* bytes of the mapping; 0: memory of ts_alloc_aligned */
+	char line[TS_CACHE_LINE];
+};
+
+static void *map_sparse(size_t bytes)
+{
+	void *p = must_fail() ? MAP_FAILED
+			      : mmap(NULL, bytes, PROT_READ | PROT_WRITE,
+				     MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+
+	if (p == MAP_FAILED)
+		return NULL;
+#ifdef MADV_NOHUGEPAGE
+	(void)madvise(p, bytes, MADV_NOHUGEPAGE);
+#endif
+	atomic_fetch_add_explicit(&live_blocks, 1, memory_order_relaxed);
+	return p;
+}
+
+void *ts_alloc_pages(size_t n, size_t size, bool sparse)
+{
+	union pages_header *header;
+	size_t bytes;
+
+	if (size && n > (SIZE_MAX - 2 * TS_CACHE_LINE) / size)
+		return NULL;
+	bytes = n * size + sizeof *header;
+	sparse = sparse && bytes >= MAPPED;
+	header = sparse ? map_sparse(bytes) : ts_alloc_aligned(bytes, 1);
+	if (!header)
+		return NULL;
+	header->mapped = sparse ? bytes : 0;
+	return header + 1;
+}
+
+void ts_free_pages(void *p)
+{
+	union pages_header *header = p ? (union pages_header *)p - 1 : NULL;
+
+	if (!header || !header->mapped) {
+		ts_free(header);
+		return;
+	}
+	atomic_fetch_sub_explicit(&live_blocks, 1, memory_order_relaxed);
+	(void)munmap(header, header->mapped);
+}
+
 char *ts_strdup(const char *s)
 {
 	size_t n = strlen(s) + 1;

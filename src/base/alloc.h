@@ -6,6 +6,7 @@
 #ifndef TS_BASE_ALLOC_H
 #define TS_BASE_ALLOC_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/status.h"
@@ -40,6 +41,11 @@ enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size
 enum ts_status ts_renew_unset(void **array, size_t *capacity, size_t need, size_t size);
 #define TS_RENEW_UNSET(array, capacity, need) \
 	ts_renew_unset((void **)&(array), &(capacity), (need), sizeof *(array))
+
+/* As ts_alloc_aligned, freed by ts_free_pages. `sparse`: a large block takes the memory of a page when it is first written, and may
+ * be larger than the memory of the machine. */
+void *ts_alloc_pages(size_t n, size_t size, bool sparse);
+void ts_free_pages(void *p);
 
 /* Sets so many bytes of a block to zero. Whole pages are given back to the system, and take no memory until they are
  * written again. */

@@ -247,7 +247,7 @@ static double velocity_across(const struct ts_fluid *fluid, int d, enum ts_grid_
 {
 	const struct ts_flow_face_velocity *given = &fluid->face_velocity[d][side];
 
-	if (!fluid->planes.some)
+	if (!ts_fluid_divided(fluid))
 		return fluid->u[d][at];
 	if (fluid->face[d][side] == TS_FLOW_SLIP)
 		return 0;
@@ -260,7 +260,7 @@ static bool is_tight(const struct ts_fluid *fluid, int d, enum ts_grid_side side
 {
 	const struct ts_flow_face_velocity *given = &fluid->face_velocity[d][side];
 
-	return fluid->planes.some &&
+	return ts_fluid_divided(fluid) &&
 	       (fluid->face[d][side] == TS_FLOW_SLIP || (!given->plane[d] && given->constant[d] == 0));
 }
 

@@ -12,6 +12,7 @@
 
 #include "flow/boundary.h"
 #include "flow/flow_measures.h"
+#include "flow/fluid_slabs.h"
 #include "flow/projection.h"
 
 #include "base/banned.h"
@@ -220,13 +221,16 @@ static void swap_face_pressures(struct ts_projection *p)
 
 static void add_constant(const struct ts_projection *p, double *field, double by)
 {
-	const size_t size = p->fluid.grid.size;
-
 	if (by == 0)
 		return;
+	for (int range = 0; range < ts_fluid_ranges(&p->fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(&p->fluid, range, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (size_t k = 0; k < size; k++)
-		field[k] += by;
+		for (size_t k = first; k < end; k++)
+			field[k] += by;
+	}
 }
 
 /* Adds the contribution of the pressure on an open face to rhs. */
@@ -239,10 +243,14 @@ static void add_face_to_rhs(struct ts_projection *p, int d, int side, double sig
 	const double factor = sign * ts_poisson_conductance(&p->poisson, d, side == TS_LOW ? 0 : grid->n[d]) /
 			      grid->width[d][cell];
 	const double *weight = p->poisson.weight[d];
+	size_t first, end;
 
 	if (!given->plane && given->constant == 0)
 		return;
-	for (int ib = 0; ib < grid->n[b]; ib++)
+	ts_slabs_own(&p->slabs, (size_t)grid->n[2], &first, &end);
+	if (d == 2 && ((size_t)cell < first || (size_t)cell >= end))
+		return;
+	for (int ib = d < 2 ? (int)first : 0; ib < (d < 2 ? (int)end : grid->n[b]); ib++)
 		for (int ia = 0; ia < grid->n[a]; ia++) {
 			size_t at =
 				ts_at(grid, 0, 0, 0) + (size_t)(cell * grid->stride[d] +

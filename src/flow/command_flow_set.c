@@ -1,5 +1,6 @@
 /* Command flow_set: initial velocity of the fluid. */
 #include "flow/flow_arguments.h"
+#include "flow/fluid_slabs.h"
 #include "flow/pressure_projection.h"
 #include "flow/projection.h"
 
@@ -30,14 +31,16 @@ static enum ts_status evaluate_component(struct tsim *sim, const struct field *f
 				const double x[3] = { (c == 0 ? grid->face : grid->centre)[0][i],
 						      (c == 1 ? grid->face : grid->centre)[1][j],
 						      (c == 2 ? grid->face : grid->centre)[2][k] };
-				double *u = &fluid->u[c][ts_at(grid, i, j, k)];
+				double u;
 
 				TS_TRY(ts_flow_set_coordinates(sim, f->set, x, where));
-				TS_TRY(ts_number_now(sim, &f->velocity[c], where, u));
-				if (!isfinite(*u))
+				TS_TRY(ts_number_now(sim, &f->velocity[c], where, &u));
+				if (!isfinite(u))
 					return ts_fail(&sim->error, TS_RANGE, where,
 						       "flow_set: the velocity at (%g %g %g) would be %g",
-						       x[0], x[1], x[2], *u);
+						       x[0], x[1], x[2], u);
+				if (ts_fluid_has_plane(fluid, k))
+					fluid->u[c][ts_at(grid, i, j, k)] = u;
 			}
 	return TS_OK;
 }

@@ -47,7 +47,7 @@ static enum ts_status compute_flux(struct ts_instance *self, struct ts_flow_flux
 	struct state *s = self->state;
 	struct ts_fluid *fluid;
 
-	TS_TRY(ts_flow_require_fluid(s->sim, "compute flow/flux", &self->where, &fluid));
+	TS_TRY(ts_flow_require_fields(s->sim, "compute flow/flux", &self->where, &fluid));
 	return ts_flow_flux(fluid, s->sim, axis_of(s), plane_coordinate(s, &fluid->grid), s->region, out);
 }
 

@@ -34,7 +34,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_fluid *fluid;
 
 	(void)sim;
-	TS_TRY(ts_flow_require_fluid(s->sim, "compute flow/force", &self->where, &fluid));
+	TS_TRY(ts_flow_require_fields(s->sim, "compute flow/force", &self->where, &fluid));
 	TS_TRY(ts_flow_face_force(fluid, s->sim, s->side / 2, (enum ts_grid_side)(s->side % 2), s->region,
 				  &push));
 	for (int d = 0; d < 3; d++) {

@@ -179,7 +179,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_dump_due(self, sim, &due));
 	if (!due)
 		return TS_OK;
-	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
+	TS_TRY(ts_flow_require_fields(sim, "dump flow/vtk", &self->where, &fluid));
 	if (ts_table_resize(&s->vtk.merged, ts_grid_cells(&fluid->grid), number_of_columns(s)) != TS_OK)
 		return ts_nomem(&sim->error);
 	TS_TRY(fill_fields(self, sim, fluid));

@@ -22,6 +22,23 @@ enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const st
 	return TS_OK;
 }
 
+enum ts_status ts_flow_require_fields(struct tsim *sim, const char *who, const struct ts_place *where,
+				      struct ts_fluid **out)
+{
+	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+
+	TS_TRY(ts_flow_require_fluid(sim, who, where, out));
+	if (!ts_fluid_divided(*out))
+		return TS_OK;
+	/* Styles that read the fluid in a step are looked for before it (flow/slab_step.h): this one has not been found. */
+	if (sim->division && sim->run.inside && !sim->run.looks)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "%s needs the fluid within a step, when each rank has a part of the grid only",
+			       who);
+	ts_flow_style_of(flow)->complete(flow);
+	return TS_OK;
+}
+
 struct ts_fluid *ts_flow_fluid(const struct tsim *sim)
 {
 	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);

@@ -15,6 +15,8 @@ struct ts_flow_style {
 	/* Its fields on a grid, which exist (flow/fluid.h); NULL: the velocity is imposed and particles do
 	 * not change it. */
 	struct ts_fluid *(*fluid)(const struct ts_instance *self);
+	/* All ranks call it: each gets the fields in the whole grid, until the next step. */
+	void (*complete)(struct ts_instance *self);
 };
 
 static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_instance *inst)
@@ -26,6 +28,11 @@ static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_insta
  * that is solved for. */
 enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
 				     struct ts_fluid **out);
+
+/* The same for who reads the fields: with several ranks each gets the whole grid. All of them call it, outside of a step that they
+ * divide. */
+enum ts_status ts_flow_require_fields(struct tsim *sim, const char *who, const struct ts_place *where,
+				      struct ts_fluid **out);
 
 /* Keywords of the fluid for thermo_style and formulas: flow_ke ... flow_keywords.c */
 extern const struct ts_system_style ts_flow_system;

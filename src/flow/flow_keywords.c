@@ -8,30 +8,21 @@
 
 #include "base/banned.h"
 
-/* Formulas of styles are looked for before a step (ts_projection_stays_apart): this one has not been found. */
-static enum ts_status fail_apart(struct tsim *sim, const char *name)
-{
-	return ts_fail(&sim->error, TS_STATE, NULL,
-		       "flow_%s is needed within a step, when each rank has the fluid in a part of the grid "
-		       "only",
-		       name);
-}
-
-#define OF_FLUID(name, value)                                                            \
-	static enum ts_status name(struct tsim *sim, double *out)                        \
-	{                                                                                \
-		struct ts_fluid *fluid;                                                  \
-                                                                                         \
-		TS_TRY(ts_flow_require_fluid(sim, "keyword flow_" #name, NULL, &fluid)); \
-		if (fluid->planes.some)                                                  \
-			return fail_apart(sim, #name);                                   \
-		*out = (value);                                                          \
-		return TS_OK;                                                            \
+#define OF(require, name, value)                                           \
+	static enum ts_status name(struct tsim *sim, double *out)          \
+	{                                                                  \
+		struct ts_fluid *fluid;                                    \
+                                                                           \
+		TS_TRY(require(sim, "keyword flow_" #name, NULL, &fluid)); \
+		*out = (value);                                            \
+		return TS_OK;                                              \
 	}
-OF_FLUID(ke, ts_flow_kinetic_energy(fluid))
-OF_FLUID(px, ts_flow_momentum(fluid, 0))
-OF_FLUID(py, ts_flow_momentum(fluid, 1))
-OF_FLUID(pz, ts_flow_momentum(fluid, 2))
+#define OF_FIELDS(name, value) OF(ts_flow_require_fields, name, value)
+#define OF_FLUID(name, value) OF(ts_flow_require_fluid, name, value)
+OF_FIELDS(ke, ts_flow_kinetic_energy(fluid))
+OF_FIELDS(px, ts_flow_momentum(fluid, 0))
+OF_FIELDS(py, ts_flow_momentum(fluid, 1))
+OF_FIELDS(pz, ts_flow_momentum(fluid, 2))
 OF_FLUID(div, fluid->divergence)
 OF_FLUID(cfl, fluid->courant)
 OF_FLUID(iter, fluid->iterations)

@@ -140,10 +140,10 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
-	if (!sim->division || sim->run.looks)
+	if (!p->settled) {
 		ts_slab_step_complete(p);
-	if (!p->settled)
 		return make_step(self, sim);
+	}
 	p->settled = false;
 	return TS_OK;
 }
@@ -231,6 +231,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 			{ "p_mean", &fluid->p_mean } };
 	enum ts_status status = TS_OK;
 
+	ts_slab_step_complete(p);
 	for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
 		for (int d = 0; d < 3 && status == TS_OK; d++)
 			status = archive_field(archive, vectors[k].name, "xyz"[d], &fluid -> grid,
@@ -279,6 +280,11 @@ static double density(const struct ts_instance *self)
 static struct ts_fluid *fluid(const struct ts_instance *self)
 {
 	return &((struct ts_projection *)self->state)->fluid;
+}
+
+static void complete(struct ts_instance *self)
+{
+	ts_slab_step_complete(self->state);
 }
 
 /* Whether a wall or a body prescribes the tangential velocity on its surface. */
@@ -540,4 +546,5 @@ const struct ts_flow_style ts_flow_projection = {
 	.viscosity = viscosity,
 	.density = density,
 	.fluid = fluid,
+	.complete = complete,
 };

@@ -16,8 +16,10 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/alloc.h"
 #include "core/review.h"
 #include "flow/flow_measures.h"
+#include "flow/fluid_slabs.h"
 
 #include "base/banned.h"
 
@@ -29,7 +31,7 @@ struct wiggle {
 	double size;
 	double reynolds; /* |u| h/nu there */
 	double x[3], width;
-	int axis;
+	int axis, order; /* of the search: component, then axis */
 };
 
 /* Resolution of the velocity profile by the first cells beside a wall. */
@@ -45,18 +47,20 @@ static double largest_speed(const struct ts_fluid *fluid)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	double most = 0;
+	int first, end;
 
+	ts_fluid_slabs_planes(fluid, &first, &end);
 	for (int d = 0; d < grid->dimensions; d++) {
 		for (enum ts_grid_side side = TS_LOW; side <= TS_HIGH; side++)
 			for (int c = 0; c < grid->dimensions; c++)
 				if (fluid->face[d][side] == TS_FLOW_WALL)
 					most = fmax(most, fabs(fluid->face_velocity[d][side].constant[c]));
-		for (int k = 0; k < grid->n[2]; k++)
+		for (int k = first; k < end; k++)
 			for (int j = 0; j < grid->n[1]; j++)
 				for (int i = 0; i < grid->n[0]; i++)
 					most = fmax(most, fabs(fluid->u[d][ts_at(grid, i, j, k)]));
 	}
-	return most;
+	return ts_fluid_slabs_most(fluid, most);
 }
 
 static void check_wiggle(const struct ts_fluid *fluid, int c, int d, const int cell[3], struct wiggle *most)
@@ -78,15 +82,34 @@ static void check_wiggle(const struct ts_fluid *fluid, int c, int d, const int c
 	most->size = size;
 	most->reynolds = reynolds;
 	most->axis = d;
+	most->order = 3 * c + d;
 	most->width = grid->width[d][cell[d]];
 	for (int e = 0; e < 3; e++)
 		most->x[e] = grid->centre[e][cell[e]];
+}
+
+/* The largest of all ranks; of equal ones that which comes first in the search. */
+static void share_wiggle(const struct ts_fluid *fluid, struct wiggle *most)
+{
+	struct ts_world *world = fluid->slabs ? fluid->slabs->world : NULL;
+	double first;
+
+	if (ts_slabs_ranks(fluid->slabs) == 1)
+		return;
+	first = ts_fluid_slabs_most(fluid, most->size) == most->size
+			? -((double)most->order * world->n + world->rank)
+			: -INFINITY;
+	first = -ts_fluid_slabs_most(fluid, first);
+	ts_world_spread(world, (int)fmod(first, world->n), most, sizeof *most);
 }
 
 static struct wiggle largest_wiggle(const struct ts_fluid *fluid)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	struct wiggle most = { 0 };
+	int first, end;
+
+	ts_fluid_slabs_planes(fluid, &first, &end);
 
 	for (int c = 0; c < grid->dimensions; c++)
 		for (int d = 0; d < grid->dimensions; d++) {
@@ -96,11 +119,12 @@ static struct wiggle largest_wiggle(const struct ts_fluid *fluid)
 				from[d] = 1;
 				to[d] -= 2;
 			}
-			for (int k = from[2]; k < to[2]; k++)
+			for (int k = from[2] > first ? from[2] : first; k < to[2] && k < end; k++)
 				for (int j = from[1]; j < to[1]; j++)
 					for (int i = from[0]; i < to[0]; i++)
 						check_wiggle(fluid, c, d, (int[3]){ i, j, k }, &most);
 		}
+	share_wiggle(fluid, &most);
 	return most;
 }
 
@@ -149,30 +173,72 @@ static void first_velocities(const struct wall *wall, int c, int ia, int ib, dou
 	}
 }
 
-static struct layer boundary_layer(const struct wall *wall, double fastest)
+/* Integrals over a row of cells beside the wall: 1, |u1 - wall|, |u1 - parabola|. */
+static void add_wall_row(const struct wall *wall, int ib, double out[3])
+{
+	const struct ts_grid *grid = &wall->fluid->grid;
+	const double *y = wall->y;
+	double u[3];
+
+	for (int ia = 0; ia < grid->n[wall->a]; ia++) {
+		double patch = grid->width[wall->a][ia] * grid->width[wall->b][ib];
+
+		out[0] += patch;
+		for (int c = 0; c < grid->dimensions; c++) {
+			if (c == wall->d)
+				continue;
+			first_velocities(wall, c, ia, ib, u);
+			out[1] += patch * fabs(u[0]);
+			out[2] += patch * fabs(u[0] - parabola(y[0], y[1], y[2], u[1], u[2]));
+		}
+	}
+}
+
+/* Of all rows: each rank has those of its planes, or the first or the last rank all. */
+static void add_wall_rows(const struct wall *wall, double (*row)[3])
+{
+	const struct ts_fluid *fluid = wall->fluid;
+	const int n = fluid->grid.n[wall->b], ranks = ts_slabs_ranks(fluid->slabs);
+	const bool across = wall->d == 2;
+	int first, end;
+
+	ts_fluid_slabs_planes(fluid, &first, &end);
+	if (across && (wall->row[0] < first || wall->row[0] >= end))
+		first = end = 0;
+	else if (across)
+		first = 0, end = n;
+	for (int ib = first; ib < end; ib++)
+		add_wall_row(wall, ib, row[ib]);
+	if (ranks == 1)
+		return;
+	if (across)
+		ts_world_spread(fluid->slabs->world, wall->side == TS_LOW ? 0 : ranks - 1, row,
+				(size_t)n * sizeof *row);
+	else
+		ts_slabs_share(fluid->slabs, &(struct ts_slabs_field){ .first = *row, .stride = 3 });
+}
+
+static enum ts_status boundary_layer(const struct wall *wall, double fastest, struct layer *out)
 {
 	const struct ts_fluid *fluid = wall->fluid;
 	const struct ts_grid *grid = &fluid->grid;
-	const double *y = wall->y;
-	double area = 0, sum = 0, miss = 0, u[3];
+	const int n = grid->n[wall->b];
+	double area = 0, sum = 0, miss = 0, (*row)[3] = ts_alloc((size_t)n, sizeof *row);
 
-	for (int ib = 0; ib < grid->n[wall->b]; ib++)
-		for (int ia = 0; ia < grid->n[wall->a]; ia++) {
-			double patch = grid->width[wall->a][ia] * grid->width[wall->b][ib];
-
-			area += patch;
-			for (int c = 0; c < grid->dimensions; c++) {
-				if (c == wall->d)
-					continue;
-				first_velocities(wall, c, ia, ib, u);
-				sum += patch * fabs(u[0]);
-				miss += patch * fabs(u[0] - parabola(y[0], y[1], y[2], u[1], u[2]));
-			}
-		}
-	return (struct layer){ .miss = sum > 0 ? miss / sum : 0,
+	if (!row)
+		return TS_NOMEM;
+	add_wall_rows(wall, row);
+	for (int ib = 0; ib < n; ib++) {
+		area += row[ib][0];
+		sum += row[ib][1];
+		miss += row[ib][2];
+	}
+	ts_free(row);
+	*out = (struct layer){ .miss = sum > 0 ? miss / sum : 0,
 			       .share = sum / area / fastest,
-			       .plus = sqrt(sum / area * y[0] * fluid->density / fluid->viscosity),
+			       .plus = sqrt(sum / area * wall->y[0] * fluid->density / fluid->viscosity),
 			       .width = grid->width[wall->d][wall->row[0]] };
+	return TS_OK;
 }
 
 /* Whether the flow has developed: viscosity has diffused over four cells, or the fluid has crossed the
@@ -219,9 +285,11 @@ static enum ts_status report_wall(const struct ts_instance *self, struct tsim *s
 				  double fastest)
 {
 	const struct ts_fluid *fluid = wall->fluid;
-	const struct layer layer = boundary_layer(wall, fastest);
 	char axis = "xyz"[wall->d];
+	struct layer layer;
 
+	if (boundary_layer(wall, fastest, &layer) != TS_OK)
+		return ts_nomem(&sim->error);
 	if (!(layer.share > STEEP || (layer.miss > MISSES && layer.share > MATTERS)) ||
 	    !is_developed(fluid, layer.width, fastest))
 		return TS_OK;

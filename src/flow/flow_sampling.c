@@ -287,7 +287,7 @@ enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim
 enum ts_status ts_flow_sampler_fetch(struct ts_flow_sampler *s, struct tsim *sim, const char *who,
 				     const struct ts_place *where, struct ts_fluid **fluid)
 {
-	TS_TRY(ts_flow_require_fluid(sim, who, where, fluid));
+	TS_TRY(ts_flow_require_fields(sim, who, where, fluid));
 	for (size_t k = 0; k < s->list.n; k++)
 		if (s->list.item[k] == TS_FLOW_SCALAR)
 			TS_TRY(ts_flow_scalar_field(sim, who, &s->words.word[k], &s->carried[k]));

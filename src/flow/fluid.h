@@ -84,11 +84,14 @@ struct ts_fluid {
 	struct ts_cell_owners
 		*owners; /* while the particles are divided among ranks; owned. NULL: none yet */
 	bool apart; /* `force` and `exchange` have the sums of the particles in the cells of this rank only */
-	/* While ranks have slabs and nothing needs the whole grid: u and p, and their ghosts, have the present values in the
-	 * planes from .. to - 1 across the last axis only, if `some`. */
+	/* While ranks have slabs and nothing needs the whole grid: the fields, and their ghosts, have the present values in
+	 * these ranges of planes across the last axis only, from .. to - 1, if there are any. Other planes take no memory.
+	 * A second range has the images of planes at the other end of a periodic grid. */
 	struct ts_fluid_planes {
-		bool some;
-		int from, to;
+		int ranges;
+		struct ts_fluid_range {
+			int from, to;
+		} range[2];
 	} planes;
 	const struct ts_slabs *slabs; /* of ranks that make a step together: fluid_slabs.h; NULL: none */
 	double *p_mean;		      /* mean of the pressure over the stages and substeps of the last step */
@@ -126,6 +129,12 @@ static inline int ts_fluid_team(const struct ts_fluid *fluid, size_t n)
 	return fluid->threads < 1 || most < 1  ? 1
 	       : most < (size_t)fluid->threads ? (int)most
 					       : fluid->threads;
+}
+
+/* Whether this rank has the fluid in some planes only. */
+static inline bool ts_fluid_divided(const struct ts_fluid *fluid)
+{
+	return fluid->planes.ranges > 0;
 }
 
 enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4, TS_FLUID_P_MEAN = 8 };

@@ -116,8 +116,8 @@ struct plane {
 	int d, a, b, from[3], to[3];
 };
 
-/* Without planes across the last axis that do not have the present values (fluid->planes). */
-static struct plane plane_across(const struct ts_fluid *fluid, int d)
+/* `range`: of planes that have the present values (fluid->planes), for axes before the last one. */
+static struct plane plane_across(const struct ts_fluid *fluid, int d, int range)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	struct plane plane = { .d = d, .a = d == 0, .b = d == 2 ? 1 : 2 };
@@ -126,43 +126,54 @@ static struct plane plane_across(const struct ts_fluid *fluid, int d)
 		plane.from[k] = -grid->ghosts[k];
 		plane.to[k] = grid->n[k] + grid->ghosts[k];
 	}
-	if (fluid->planes.some && d < 2) {
-		plane.from[2] = fluid->planes.from;
-		plane.to[2] = fluid->planes.to;
+	if (ts_fluid_divided(fluid) && d < 2) {
+		plane.from[2] = fluid->planes.range[range].from;
+		plane.to[2] = fluid->planes.range[range].to;
 	}
 	return plane;
 }
 
 /* Rows [from, to) of the plane; a row is along its axis a. A line across d reads of other lines only
  * values that do not change, so that rows can be processed in parallel. */
-static struct plane rows_across(const struct ts_fluid *fluid, int d, size_t from, size_t to)
+static struct plane rows_of(const struct plane *across, size_t from, size_t to)
 {
-	struct plane plane = plane_across(fluid, d);
+	struct plane plane = *across;
 
 	plane.to[plane.b] = plane.from[plane.b] + (int)to;
 	plane.from[plane.b] += (int)from;
 	return plane;
 }
 
-/* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the
- * number of threads. */
-static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_range_fn *share,
-				  void *task)
-{
-	struct plane plane = plane_across(fluid, d);
-	size_t rows = (size_t)(plane.to[plane.b] - plane.from[plane.b]);
-	size_t lines = rows * (size_t)(plane.to[plane.a] - plane.from[plane.a]);
-	int team = ts_fluid_team(fluid, lines * (size_t)rounds);
-
-	ts_parallel(rows < (size_t)team ? (int)rows : team, rows, share, task);
-}
-
 /* Whether the planes with present values have this face, or its ghosts. */
 static bool has_face(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
 {
-	if (!fluid->planes.some || d < 2)
-		return true;
-	return side == TS_LOW ? fluid->planes.from <= 0 : fluid->planes.to > fluid->grid.n[2];
+	const struct ts_fluid_planes *planes = &fluid->planes;
+	bool has = planes->ranges == 0 || d < 2;
+
+	for (int k = 0; k < planes->ranges; k++)
+		has |= side == TS_LOW ? planes->range[k].from <= 0 : planes->range[k].to > fluid->grid.n[2];
+	return has;
+}
+
+/* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the
+ * number of threads. *across, which `share` reads, is set before. */
+static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_range_fn *share,
+				  void *task, struct plane *across)
+{
+	const int ranges = ts_fluid_divided(fluid) && d < 2 ? fluid->planes.ranges : 1;
+
+	if (!has_face(fluid, d, TS_LOW) && !has_face(fluid, d, TS_HIGH))
+		return;
+	for (int range = 0; range < ranges; range++) {
+		size_t rows, lines;
+		int team;
+
+		*across = plane_across(fluid, d, range);
+		rows = (size_t)(across->to[across->b] - across->from[across->b]);
+		lines = rows * (size_t)(across->to[across->a] - across->from[across->a]);
+		team = ts_fluid_team(fluid, lines * (size_t)rounds);
+		ts_parallel(rows < (size_t)team ? (int)rows : team, rows, share, task);
+	}
 }
 
 static inline ptrdiff_t plane_offset(const struct ts_grid *grid, const struct plane *plane, int ia, int ib)
@@ -323,6 +334,7 @@ struct velocity_task {
 	double *const *u;
 	int d;
 	bool keep;
+	struct plane across;
 };
 
 /* The component across the face comes first: its sign determines the ghosts of the others on open faces. */
@@ -330,7 +342,7 @@ static void velocity_rows(void *context, size_t from, size_t to)
 {
 	const struct velocity_task *task = context;
 	const struct ts_grid *grid = &task->fluid->grid;
-	struct plane plane = rows_across(task->fluid, task->d, from, to);
+	const struct plane plane = rows_of(&task->across, from, to);
 
 	for (int turn = 0; turn < grid->dimensions; turn++) {
 		int c = (task->d + turn) % grid->dimensions;
@@ -375,9 +387,9 @@ static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool
 		first |= ts_fluid_leans_on_images(fluid, d);
 	for (task.d = 1; first && task.d < components; task.d++)
 		if (fluid->grid.periodic[task.d])
-			fill_rows_in_parallel(fluid, task.d, components, velocity_rows, &task);
+			fill_rows_in_parallel(fluid, task.d, components, velocity_rows, &task, &task.across);
 	for (task.d = 0; task.d < components; task.d++)
-		fill_rows_in_parallel(fluid, task.d, 2 * components, velocity_rows, &task);
+		fill_rows_in_parallel(fluid, task.d, 2 * components, velocity_rows, &task, &task.across);
 }
 
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
@@ -428,13 +440,14 @@ struct centred_task {
 	int d;
 	bool is_pressure;
 	double base;
+	struct plane across;
 };
 
 static void centred_rows(void *context, size_t from, size_t to)
 {
 	const struct centred_task *task = context;
 	const struct ts_grid *grid = &task->fluid->grid;
-	struct plane plane = rows_across(task->fluid, task->d, from, to);
+	const struct plane plane = rows_of(&task->across, from, to);
 
 	if (grid->periodic[task->d]) {
 		wrap_periodic(grid, task->field, &plane);
@@ -457,7 +470,7 @@ static void fill_centred(const struct ts_fluid *fluid, double *field, bool is_pr
 	};
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
-		fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
+		fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task, &task.across);
 }
 
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field)
@@ -481,5 +494,5 @@ void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field)
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
 		if (fluid->grid.periodic[task.d])
-			fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
+			fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task, &task.across);
 }

@@ -8,6 +8,43 @@ struct ts_slabs_field ts_fluid_slabs_field(const struct ts_grid *grid, double *f
 					(size_t)grid->stride[2], grid->ghosts[2], grid->ghosts[2] };
 }
 
+int ts_fluid_ranges(const struct ts_fluid *fluid)
+{
+	return ts_fluid_divided(fluid) ? fluid->planes.ranges : 1;
+}
+
+void ts_fluid_range_values(const struct ts_fluid *fluid, int range, size_t *first, size_t *end)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const struct ts_fluid_range *planes = &fluid->planes.range[range];
+	const size_t below = (size_t)(planes->from + grid->ghosts[2]),
+		     to = (size_t)(planes->to + grid->ghosts[2]);
+
+	*first = ts_fluid_divided(fluid) ? below * (size_t)grid->stride[2] : 0;
+	/* behind the last ghosts there is a layer of faces */
+	*end = ts_fluid_divided(fluid) && planes->to < grid->n[2] + grid->ghosts[2]
+		       ? to * (size_t)grid->stride[2]
+		       : grid->size;
+}
+
+bool ts_fluid_has_plane(const struct ts_fluid *fluid, int k)
+{
+	bool has = !ts_fluid_divided(fluid);
+
+	for (int range = 0; range < fluid->planes.ranges; range++)
+		has |= k >= fluid->planes.range[range].from && k < fluid->planes.range[range].to;
+	return has;
+}
+
+void ts_fluid_slabs_planes(const struct ts_fluid *fluid, int *first, int *end)
+{
+	size_t from, to;
+
+	ts_slabs_own(fluid->slabs, (size_t)fluid->grid.n[2], &from, &to);
+	*first = (int)from;
+	*end = (int)to;
+}
+
 void ts_fluid_slabs_rows(const struct ts_fluid *fluid, long *first, long *end)
 {
 	ts_slabs_rows(fluid->slabs, fluid->grid.n[2], fluid->grid.n[1], 0, first, end);

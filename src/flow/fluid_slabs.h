@@ -6,6 +6,13 @@
 
 /* Planes of a field with the ghosts of each plane; those across the last axis belong to the first and the last rank. */
 struct ts_slabs_field ts_fluid_slabs_field(const struct ts_grid *grid, double *field);
+/* The planes that this rank has (fluid->planes): number of ranges, 1 if it has all, the values first .. end - 1 of one of them, and
+ * whether a plane is in one. */
+int ts_fluid_ranges(const struct ts_fluid *fluid);
+void ts_fluid_range_values(const struct ts_fluid *fluid, int range, size_t *first, size_t *end);
+bool ts_fluid_has_plane(const struct ts_fluid *fluid, int k);
+/* Planes of cells, first .. end - 1, that this rank computes. */
+void ts_fluid_slabs_planes(const struct ts_fluid *fluid, int *first, int *end);
 /* Rows of cells along the first axis, first .. end - 1, of this rank: row = j + k n[1]. */
 void ts_fluid_slabs_rows(const struct ts_fluid *fluid, long *first, long *end);
 /* The values first .. end - 1 of a field, ghosts included, that are those of this rank. */

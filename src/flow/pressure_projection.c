@@ -179,6 +179,7 @@ enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, 
 	p->pressure = pressure;
 	p->removals = sim->removals;
 	p->weights_vary = weighted;
+	ts_slab_step_check_solver(p);
 	return TS_OK;
 }
 
@@ -259,9 +260,9 @@ enum ts_status ts_projection_project_initial(struct ts_instance *self, struct ts
 	fluid->incremental = incremental;
 	p->initial_projection = false;
 	TS_TRY(status);
-	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
+	ts_grid_field_clear(fluid->p, 0, grid->size);
 	if (p->increment)
-		memset(p->increment, 0, grid->size * sizeof *p->increment);
+		ts_grid_field_clear(p->increment, 0, grid->size);
 	p->history_dt = 0;
 	p->fluid.steps = 0;
 	p->fluid.time = ts_sim_time(sim);

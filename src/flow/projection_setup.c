@@ -5,6 +5,7 @@
 #include "box/domain.h"
 #include "flow/boundary.h"
 #include "flow/projection.h"
+#include "flow/slab_step.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -94,7 +95,7 @@ static bool same_grid(const struct ts_grid *grid, const double *const face[3], c
 /* Makes the grid anew if it has changed. Fields depend only on the numbers of cells: they are kept if
  * lengths change. */
 static enum ts_status remake_grid(struct ts_projection *p, const double *const face[3],
-				  const bool periodic[3])
+				  const bool periodic[3], bool sparse)
 {
 	struct ts_fluid *fluid = &p->fluid;
 	const int n[3] = { (int)p->cells[0], (int)p->cells[1], (int)p->cells[2] };
@@ -105,6 +106,7 @@ static enum ts_status remake_grid(struct ts_projection *p, const double *const f
 	ts_operators_release(&p->operators);
 	ts_grid_release(&fluid->grid);
 	TS_TRY(ts_grid_make(&fluid->grid, n[2] == 1 ? 2 : 3, n, face, periodic));
+	fluid->grid.sparse = sparse;
 	TS_TRY(ts_operators_make(&p->operators, &fluid->grid));
 	TS_TRY(ts_fluid_make(fluid));
 	for (int d = 0; d < 3; d++)
@@ -155,7 +157,7 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 			face[d][n] = hi[d];
 	}
 	if (status == TS_OK)
-		status = remake_grid(p, (const double *const *)face, periodic);
+		status = remake_grid(p, (const double *const *)face, periodic, sim->world);
 	ts_arena_release(&arena);
 	return status == TS_NOMEM ? fail_out_of_memory(self, sim) : status;
 }
@@ -176,6 +178,7 @@ enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	p->poisson.slabs = &p->slabs;
 	fluid->slabs = &p->slabs;
+	ts_slab_step_begin(p, sim);
 	TS_TRY(ts_projection_set_face_types(self, sim));
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
 	p->ghosts_filled = false;
@@ -185,6 +188,7 @@ enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 	else
 		ts_fluid_fill_ghosts(fluid, fluid->u);
 	ts_fluid_fill_pressure(fluid, fluid->p);
+	ts_slab_step_end(p);
 	return TS_OK;
 }
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "flow/fluid_slabs.h"
+#include "poisson/poisson.h"
 
 #include "base/banned.h"
 
@@ -38,13 +39,26 @@ static bool boundary_has_formula(const struct ts_projection *p)
 	return false;
 }
 
+/* Whether ranks divide the pressure solver; one that is not chosen yet may be divided. */
+static bool solver_divides(struct ts_projection *p)
+{
+	const struct ts_pressure_style *style = p->pressure ? ts_pressure_style_of(p->pressure) : NULL;
+	const bool was = p->slabs.active;
+	bool divides;
+
+	p->slabs.active = true; /* as it will be */
+	divides = !style || (style->divided && style->divided(p->pressure));
+	p->slabs.active = was;
+	return divides;
+}
+
 /* Whether nothing reads the fluid before all ranks get all particles: no particle feels it, and no formula names it. */
-static bool stays_apart(const struct ts_projection *p, const struct tsim *sim)
+static bool stays_apart(struct ts_projection *p, const struct tsim *sim)
 {
 	size_t k = 0;
 
 	if (p->fluid.grid.n[2] / sim->world->n < TS_GRID_GHOSTS || boundary_has_formula(p) ||
-	    ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k))
+	    !solver_divides(p) || ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k))
 		return false;
 	for (int kind = 0; kind < TS_NKIND; kind++)
 		for (k = 0; k < sim->instances[kind].n; k++)
@@ -53,34 +67,101 @@ static bool stays_apart(const struct ts_projection *p, const struct tsim *sim)
 	return true;
 }
 
+/* Index of the first value of a plane, ghosts included. */
+static size_t plane_at(const struct ts_grid *grid, int k)
+{
+	return k <= -grid->ghosts[2] ? 0 : ts_at(grid, -grid->ghosts[0], -grid->ghosts[1], k);
+}
+
+/* The planes of this rank and their ghosts. Those of a rank at an end of a periodic grid are made from planes at the other end. */
+static struct ts_fluid_planes choose_planes(const struct ts_projection *p)
+{
+	enum { G = TS_GRID_GHOSTS };
+	const int n = p->slabs.n;
+	struct ts_fluid_planes planes = { .ranges = 1 };
+	struct ts_fluid_range *own = &planes.range[0], *other = &planes.range[1];
+	size_t from, to;
+
+	ts_slabs_own(&p->slabs, (size_t)n, &from, &to);
+	*own = (struct ts_fluid_range){ (int)from - G, (int)to + G };
+	if (!p->fluid.grid.periodic[2] || (from > 0 && (int)to < n))
+		return planes;
+	*other = from == 0 ? (struct ts_fluid_range){ n - G, n + G } : (struct ts_fluid_range){ -G, G };
+	if (own->to < other->from || other->to < own->from)
+		planes.ranges = 2;
+	else
+		*own = (struct ts_fluid_range){ -G, n + G };
+	return planes;
+}
+
+/* All fields of velocities and pressures; NULL: not used. */
+static void list_fields(struct ts_projection *p, double *field[16])
+{
+	size_t n = 0;
+
+	for (int d = 0; d < 3; d++) {
+		field[n++] = p->fluid.u[d];
+		field[n++] = p->work[d];
+		field[n++] = p->second_stage[d];
+		field[n++] = p->history[d];
+	}
+	field[n++] = p->fluid.p;
+	field[n++] = p->rhs;
+	field[n++] = p->increment;
+	field[n++] = p->fluid.p_mean;
+}
+
+/* Planes of other ranks take no memory any more. */
+static void forget_other_planes(struct ts_projection *p)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_fluid_planes *planes = &p->fluid.planes;
+	const bool turned = planes->ranges > 1 && planes->range[1].from < planes->range[0].from;
+	const struct ts_fluid_range *low = &planes->range[turned],
+				    *high = &planes->range[planes->ranges > 1 && !turned];
+	double *field[16];
+
+	list_fields(p, field);
+	for (size_t k = 0; k < sizeof field / sizeof *field; k++) {
+		if (!field[k])
+			continue;
+		ts_grid_field_clear(field[k], 0, plane_at(grid, low->from));
+		ts_grid_field_clear(field[k], plane_at(grid, low->to), plane_at(grid, high->from));
+		ts_grid_field_clear(field[k], plane_at(grid, high->to), grid->size);
+	}
+}
+
 void ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim)
 {
-	struct ts_fluid_planes *planes = &p->fluid.planes;
-	const bool some = ts_slab_step_divides(p, sim->world->n) && stays_apart(p, sim);
-	size_t from, to;
+	const bool divides = sim->world && ts_slab_step_divides(p, sim->world->n),
+		   some = divides && stays_apart(p, sim), were = ts_fluid_divided(&p->fluid);
 
 	if (!some)
 		ts_slab_step_complete(p);
-	p->slabs.active = ts_slab_step_divides(p, sim->world->n);
-	ts_slabs_own(&p->slabs, (size_t)p->slabs.n, &from, &to);
-	*planes = (struct ts_fluid_planes){ some, (int)from - TS_GRID_GHOSTS, (int)to + TS_GRID_GHOSTS };
-	/* Images of planes at the other end of the grid are made with their ghosts. */
-	if (p->fluid.grid.periodic[2] && (from == 0 || to == (size_t)p->slabs.n)) {
-		planes->from = -TS_GRID_GHOSTS;
-		planes->to = p->slabs.n + TS_GRID_GHOSTS;
-	}
+	p->slabs.active = divides;
+	if (!some)
+		return;
+	p->fluid.planes = choose_planes(p);
+	if (!were)
+		forget_other_planes(p);
+}
+
+void ts_slab_step_check_solver(struct ts_projection *p)
+{
+	if (ts_fluid_divided(&p->fluid) && !solver_divides(p))
+		ts_slab_step_complete(p);
 }
 
 void ts_slab_step_end(struct ts_projection *p)
 {
-	p->slabs.active = false;
+	p->slabs.active = ts_fluid_divided(&p->fluid);
 }
 
 static void complete_fields(struct ts_projection *p)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
-	if (!fluid->planes.some)
+	if (!ts_fluid_divided(fluid))
 		return;
 	p->slabs.active = true;
 	for (int d = 0; d < fluid->grid.dimensions; d++)
@@ -89,7 +170,7 @@ static void complete_fields(struct ts_projection *p)
 	if (p->increment)
 		ts_slab_step_share(p, p->increment);
 	p->slabs.active = false;
-	fluid->planes.some = false;
+	fluid->planes.ranges = 0;
 }
 
 static void complete_history(struct ts_projection *p)
@@ -136,7 +217,7 @@ void ts_slab_step_predicted(struct ts_projection *p, bool all)
 	for (int d = 0; d < 2; d++) {
 		if (!ts_fluid_leans_on_images(&p->fluid, d))
 			continue;
-		if (p->fluid.planes.some)
+		if (ts_fluid_divided(&p->fluid))
 			share_beside(p, u[d], 1, 0);
 		else
 			ts_slab_step_share(p, u[d]);
@@ -145,7 +226,7 @@ void ts_slab_step_predicted(struct ts_projection *p, bool all)
 
 void ts_slab_step_solved(struct ts_projection *p, double *pressure)
 {
-	if (p->fluid.planes.some)
+	if (ts_fluid_divided(&p->fluid))
 		share_beside(p, pressure, 1, 0);
 	else
 		ts_slab_step_share(p, pressure);
@@ -154,7 +235,7 @@ void ts_slab_step_solved(struct ts_projection *p, double *pressure)
 void ts_slab_step_corrected(struct ts_projection *p)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions && p->slabs.active; d++)
-		if (p->fluid.planes.some)
+		if (ts_fluid_divided(&p->fluid))
 			share_beside(p, p->fluid.u[d], TS_GRID_GHOSTS, TS_GRID_GHOSTS);
 		else
 			ts_slab_step_share(p, p->fluid.u[d]);

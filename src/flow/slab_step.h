@@ -7,11 +7,14 @@
 /* Whether so many ranks divide the steps of this grid; else each computes all of it. */
 bool ts_slab_step_divides(const struct ts_projection *projection, int ranks);
 
-/* Before a step, while the particles are divided among ranks. */
+/* Before a step, while the particles are divided among ranks, and in the set-up: chooses the planes that a rank has. */
 void ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim);
+/* A fluid that ranks have in some planes only stays divided. */
 void ts_slab_step_end(struct ts_projection *projection);
-/* When all ranks have all particles: and so all planes of the fluid. */
+/* All ranks get all planes of the fluid. */
 void ts_slab_step_complete(struct ts_projection *projection);
+/* After the pressure solver has been chosen: one that ranks do not divide needs all planes. */
+void ts_slab_step_check_solver(struct ts_projection *projection);
 
 /* All do nothing while ranks do not have slabs. After the predictor: velocities that the divergence needs; those of all
  * planes if fixes change them. */

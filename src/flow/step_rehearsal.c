@@ -73,8 +73,8 @@ static enum ts_status rehearse_step(struct ts_instance *self, struct tsim *sim, 
 	ts_slab_step_begin(p, sim);
 	for (int64_t k = 0; k < p->done && status == TS_OK; k++)
 		status = rehearse_substep(p, sim, length / (double)p->done, iterations);
+	p->fluid.planes.ranges = 0; /* no plane has been left to another rank */
 	ts_slab_step_end(p);
-	p->fluid.planes.some = false; /* no plane has been left to another rank */
 	return status;
 }
 

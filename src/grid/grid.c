@@ -109,10 +109,16 @@ int ts_grid_bisect(const struct ts_grid *grid, int d, double x)
 
 double *ts_grid_field(const struct ts_grid *grid)
 {
-	return ts_alloc_aligned(grid->size, sizeof(double));
+	return ts_alloc_pages(grid->size, sizeof(double), grid->sparse);
 }
 
 void ts_grid_field_free(double *field)
 {
-	ts_free(field);
+	ts_free_pages(field);
+}
+
+void ts_grid_field_clear(double *field, size_t first, size_t end)
+{
+	if (end > first)
+		ts_alloc_clear(field + first, (end - first) * sizeof *field);
 }

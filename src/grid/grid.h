@@ -36,6 +36,7 @@ struct ts_grid {
 	double *width[3]; /* face[i+1] - face[i] */
 	double *gap[3];	  /* centre[i] - centre[i-1] */
 	double *memory;	  /* of all these arrays; owned */
+	bool sparse;	  /* fields take memory where they are written only: a rank has some planes of them */
 	const struct ts_grid_half
 		*half[3];	     /* of each half of a cell, from 0 to 2 n - 1; NULL in two dimensions */
 	struct ts_grid_half *halves; /* of all axes; owned */
@@ -94,5 +95,7 @@ static inline int ts_grid_find(const struct ts_grid *grid, int d, double x)
 /* Allocates a field of zeros, aligned to 64 bytes; NULL if out of memory. Freed by ts_grid_field_free. */
 double *ts_grid_field(const struct ts_grid *grid);
 void ts_grid_field_free(double *field);
+/* Sets the values first .. end - 1 to 0; their pages are not in memory until they are written again. */
+void ts_grid_field_clear(double *field, size_t first, size_t end);
 
 #endif

@@ -387,7 +387,7 @@ enum ts_status ts_image_add_slices(struct ts_instance *self, struct tsim *sim)
 
 	if (!d->nslices)
 		return TS_OK;
-	TS_TRY(ts_flow_require_fluid(sim, who, &d->slice->group.keyword.place, &fluid));
+	TS_TRY(ts_flow_require_fields(sim, who, &d->slice->group.keyword.place, &fluid));
 	for (size_t n = 0; n < d->nslices; n++)
 		TS_TRY(begin(self, sim, &d->slice[n], fluid));
 	for (size_t n = 0; n < d->nslices; n++) {

@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "base/alloc.h"
 #include "base/clones.h"
 
 #include "base/banned.h"
@@ -18,10 +17,10 @@ enum ts_status ts_conjugate_gradient_make(struct ts_conjugate_gradient *c, const
 
 void ts_conjugate_gradient_release(struct ts_conjugate_gradient *c)
 {
-	ts_free(c->r);
-	ts_free(c->z);
-	ts_free(c->d);
-	ts_free(c->q);
+	ts_stencil_field_free(c->r);
+	ts_stencil_field_free(c->z);
+	ts_stencil_field_free(c->d);
+	ts_stencil_field_free(c->q);
 	*c = (struct ts_conjugate_gradient){ 0 };
 }
 

@@ -139,7 +139,7 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 	n = (size_t)s->n[2];
 	/* an odd number of cache lines, so that planes do not map to the same cache sets */
 	s->plane = ((modes + 7) / 8 | 1) * 8;
-	s->work = ts_alloc_aligned(s->plane * n, sizeof *s->work);
+	s->work = ts_alloc_pages(s->plane * n, sizeof *s->work, problem->grid->sparse);
 	s->eigenvalue = ts_alloc_aligned(modes + 3 * n, sizeof *s->eigenvalue);
 	if (!s->work || !s->eigenvalue)
 		return TS_NOMEM;
@@ -156,7 +156,7 @@ void ts_direct_release(struct ts_direct *s)
 {
 	for (int k = 0; k < 3; k++)
 		ts_transform_release(&s->transform[k]);
-	ts_free(s->work);
+	ts_free_pages(s->work);
 	ts_free(s->eigenvalue);
 	ts_free(s->spare);
 	*s = (struct ts_direct){ 0 };

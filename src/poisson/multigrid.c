@@ -48,7 +48,7 @@ static enum ts_status make_stencil(const struct ts_multigrid_level *fine, struct
 
 	for (int d = 0; d < 3; d++)
 		n[d] = fine->transfer[d].joined ? f->n[d] / 2 : f->n[d];
-	TS_TRY(ts_stencil_shape(s, n, f->axes, f->periodic));
+	TS_TRY(ts_stencil_shape(s, n, f->axes, f->periodic, f->sparse));
 	s->singular = f->singular;
 	s->threads = 1 + n[0] * n[1] * n[2] / GRAIN;
 	s->threads = s->threads < f->threads ? s->threads : f->threads;
@@ -156,7 +156,8 @@ static enum ts_status make_transfer(struct ts_multigrid_level *fine, const struc
 		set_prolongation_cells(&fine->s, coarse, transfer, d);
 		fill_cells(coarse, transfer, d, fine->s.n[d]);
 	}
-	fine->row = ts_alloc_aligned((size_t)ts_stencil_rows(coarse), (size_t)fine->s.n[0] * sizeof(double));
+	fine->row = ts_alloc_pages((size_t)ts_stencil_rows(coarse) * (size_t)fine->s.n[0], sizeof(double),
+				   fine->s.sparse);
 	return fine->row ? TS_OK : TS_NOMEM;
 }
 
@@ -200,10 +201,10 @@ void ts_multigrid_release(struct ts_multigrid *m)
 			ts_free(l->transfer[d].above);
 		}
 		ts_slabs_release(&l->slabs);
-		ts_free(l->row);
-		ts_free(l->r);
-		ts_free(l->p);
-		ts_free(l->b);
+		ts_free_pages(l->row);
+		ts_stencil_field_free(l->r);
+		ts_stencil_field_free(l->p);
+		ts_stencil_field_free(l->b);
 		if (k > 0) /* the first one is another's */
 			ts_stencil_release(&l->s);
 	}
@@ -232,24 +233,38 @@ static double joined_link(const struct ts_multigrid_level *fine, const struct ts
 	return sum * (coarse->conductance[d][face[d]] / conduct);
 }
 
-static void set_coarse_weights(const struct ts_multigrid_level *fine, struct ts_stencil *coarse)
+/* Of the planes of this rank, while it has a slab of this level. */
+static void set_coarse_weights(const struct ts_multigrid_level *fine, struct ts_multigrid_level *level)
 {
-	for (int d = 0; d < coarse->axes; d++) {
-		int ny = coarse->n[1] + (d == 1), rows = ny * (coarse->n[2] + (d == 2));
+	struct ts_stencil *coarse = &level->s;
 
+	for (int d = 0; d < coarse->axes; d++) {
+		const int ny = coarse->n[1] + (d == 1);
+		long first, end;
+
+		ts_slabs_rows(&level->slabs, coarse->n[2], ny, d == 2, &first, &end);
 #pragma omp parallel for num_threads(coarse->threads) schedule(static)
-		for (int row = 0; row < rows; row++)
+		for (long row = first; row < end; row++)
 			for (int i = 0; i < coarse->n[0] + (d == 0); i++)
-				coarse->link[d][ts_stencil_at(coarse, i, row % ny, row / ny)] =
-					joined_link(fine, coarse, d, i, row % ny, row / ny);
+				coarse->link[d][ts_stencil_at(coarse, i, (int)row % ny, (int)row / ny)] =
+					joined_link(fine, coarse, d, i, (int)row % ny, (int)row / ny);
 	}
+	ts_multigrid_share_links(level);
 	ts_stencil_invert_diagonal(coarse);
 }
 
 void ts_multigrid_set_weights(struct ts_multigrid *m)
 {
+	ts_multigrid_set_slabs(m);
 	for (int k = 1; k < m->levels; k++)
-		set_coarse_weights(&m->level[k - 1], &m->level[k].s);
+		set_coarse_weights(&m->level[k - 1], &m->level[k]);
+}
+
+void ts_multigrid_rehearse_weights(struct ts_multigrid *m)
+{
+	ts_multigrid_set_slabs(m);
+	for (int k = 1; k < m->levels; k++)
+		ts_multigrid_share_links(&m->level[k]);
 }
 
 TS_CLONES
@@ -347,22 +362,6 @@ static void sweep_down(const struct ts_multigrid_level *l)
 		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
 }
 
-/* p = 0 in the planes of this rank and in those beside them. */
-static void clear_correction(const struct ts_multigrid_level *l)
-{
-	const struct ts_stencil *s = &l->s;
-	size_t from, to;
-
-	ts_slabs_own(s->slabs, (size_t)s->n[2], &from, &to);
-	if (ts_slabs_ranks(s->slabs) == 1 || s->periodic[2]) {
-		memset(l->p, 0, s->size * sizeof *l->p);
-		return;
-	}
-	/* from the ghosts of the plane below to the ghosts of the plane above */
-	memset(l->p + from * (size_t)s->stride[2], 0,
-	       ((to + 2 - from) * (size_t)s->stride[2] + 8) * sizeof *l->p);
-}
-
 /* As many sweeps in reverse order as in forward order: symmetric. */
 static void solve_coarsest(const struct ts_multigrid_level *l)
 {
@@ -382,7 +381,7 @@ void ts_multigrid_cycle(void *multigrid, const double *r, double *z)
 	l[0].rhs = r;
 	ts_multigrid_set_slabs(m);
 	for (int k = 0; k <= last; k++) {
-		clear_correction(&l[k]);
+		ts_stencil_clear(&l[k].s, l[k].p);
 		if (k == last)
 			break;
 		sweep_up(&l[k]);

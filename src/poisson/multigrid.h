@@ -35,11 +35,11 @@ struct ts_multigrid_level {
 	double *row; /* work memory: a row of this level for each row of the next */
 	/* Of ranks that divide this level, or give each other the right-hand side of the first one that they do not divide. */
 	struct ts_slabs slabs;
-	/* Planes beside its own ones that a rank needs: of the residual, to restrict it, and of the correction of the next
-	 * level, to interpolate it. */
+	/* Planes beside its own ones that a rank needs: of the residual, to restrict it, of the correction of the next
+	 * level, to interpolate it, and of the links, to add up those of the next level. */
 	struct ts_multigrid_beside {
 		int below, above;
-	} residual, correction;
+	} residual, correction, links;
 };
 
 struct ts_multigrid {
@@ -56,6 +56,8 @@ enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil
 void ts_multigrid_release(struct ts_multigrid *m);
 /* Computes the links of the coarser levels from the present ones of the finest. */
 void ts_multigrid_set_weights(struct ts_multigrid *m);
+/* What it exchanges among ranks (rank/rehearsal.h). */
+void ts_multigrid_rehearse_weights(struct ts_multigrid *m);
 /* z = one cycle for A z = r from z = 0: a ts_precondition_fn. */
 void ts_multigrid_cycle(void *multigrid, const double *r, double *z);
 

@@ -41,6 +41,8 @@ static void find_beside(struct ts_multigrid_level *fine, const struct ts_multigr
 
 		for (int c = z->first[first]; c < z->first[end]; c++)
 			need_plane(&fine->residual, from, to, z->cell[c], n, ring);
+		for (int i = z->begin[first]; i < z->begin[end]; i++)
+			need_plane(&fine->links, from, to, i, n, false);
 		for (int i = from; i < to; i++)
 			for (int side = 0; side < 2; side++) {
 				const double share = side ? z->above[i] : 1 - z->above[i];
@@ -64,6 +66,8 @@ static bool divides(const struct ts_multigrid *m, int k, int ranks)
 	const int thinnest = l->s.n[2] / ranks; /* or thicker */
 	const int cells = l->s.n[0] * l->s.n[1] * l->s.n[2];
 
+	if (k < m->levels - 1 && most_beside(&l->links) > (k == 0 ? TS_GRID_GHOSTS : thinnest))
+		return false;
 	return k < m->levels - 1 && thinnest >= 1 && thinnest >= most_beside(&l->residual) &&
 	       (k == 0 || (thinnest >= most_beside(&m->level[k - 1].correction) && cells / ranks >= LEAST));
 }
@@ -94,6 +98,21 @@ void ts_multigrid_set_slabs(struct ts_multigrid *m)
 
 		l->slabs.active = active && k <= m->divided;
 		l->s.slabs = active && k < m->divided ? &l->slabs : NULL;
+	}
+}
+
+/* The faces above the last plane go with it. */
+void ts_multigrid_share_links(const struct ts_multigrid_level *l)
+{
+	for (int d = 0; d < l->s.axes && ts_slabs_ranks(&l->slabs) > 1; d++) {
+		const struct ts_slabs_field planes = { l->s.link[d] + ts_stencil_at(&l->s, 0, 0, 0),
+						       (size_t)l->s.stride[2], 0, d == 2 };
+
+		if (l->s.slabs)
+			ts_slabs_share_beside(&l->slabs, &planes, l->links.below,
+					      l->links.above > (d == 2) ? l->links.above : d == 2, false);
+		else
+			ts_slabs_share(&l->slabs, &planes);
 	}
 }
 

@@ -10,6 +10,9 @@ enum ts_status ts_multigrid_divide(struct ts_multigrid *m, struct ts_world *worl
 /* Before a cycle: divides it if the finest level is divided. */
 void ts_multigrid_set_slabs(struct ts_multigrid *m);
 
+/* After the links of its own planes: those beside them of which it computes the links of the next level; all links of the first
+ * level that is not divided. */
+void ts_multigrid_share_links(const struct ts_multigrid_level *l);
 /* Of ranks that divide a level: planes of the residual that its restriction needs. */
 void ts_multigrid_share_residual(const struct ts_multigrid_level *l);
 /* All get the whole right-hand side of the first level that is not divided. */

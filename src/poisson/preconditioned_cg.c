@@ -159,6 +159,8 @@ enum ts_status ts_preconditioned_rehearse(struct ts_instance *self, int iteratio
 	it->stencil.slabs = ts_preconditioned_divided(self) ? it->problem->slabs : NULL;
 	TS_TRY(ts_direct_divide(&c->direct, c->direct.slabs));
 	ts_iteration_rehearse(it);
+	if (kind == TS_PRECONDITION_MULTIGRID && it->problem->weight[0])
+		ts_multigrid_rehearse_weights(&c->multigrid);
 	if (kind == TS_PRECONDITION_MULTIGRID)
 		ts_conjugate_gradient_rehearse(&c->conjugate, &it->stencil, ts_multigrid_cycle, &c->multigrid,
 					       iterations);

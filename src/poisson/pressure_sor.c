@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "base/alloc.h"
 #include "poisson/pressure_style.h"
 #include "poisson/relaxation.h"
 
@@ -31,7 +30,7 @@ static void fini(struct ts_instance *self)
 	struct sor *s = self->state;
 
 	ts_iteration_release(&s->iteration);
-	ts_free(s->spare);
+	ts_stencil_field_free(s->spare);
 	s->spare = NULL;
 }
 

@@ -1,9 +1,6 @@
 #include "poisson/pressure_style.h"
 
 #include <math.h>
-#include <string.h>
-
-#include "base/alloc.h"
 
 #include "base/banned.h"
 
@@ -33,8 +30,8 @@ enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
 void ts_iteration_release(struct ts_iteration *it)
 {
 	ts_stencil_release(&it->stencil);
-	ts_free(it->b);
-	ts_free(it->p);
+	ts_stencil_field_free(it->b);
+	ts_stencil_field_free(it->p);
 	it->b = it->p = NULL;
 }
 
@@ -44,9 +41,11 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 	struct ts_stencil *s = &it->stencil;
 	double largest;
 
-	it->changed = it->problem->weight[0] || !it->weighed;
-	if (it->changed)
+	it->changed = it->problem->weight[0] || !it->weighed || (it->part && ts_slabs_ranks(s->slabs) == 1);
+	if (it->changed) {
 		ts_stencil_set_weights(s, it->problem);
+		it->part = ts_slabs_ranks(s->slabs) > 1;
+	}
 	it->weighed = !it->problem->weight[0];
 	ts_stencil_from_grid(s, it->problem->grid, rhs, true, it->b);
 	if (it->problem->singular)
@@ -59,7 +58,7 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 	if (largest > 0)
 		ts_stencil_from_grid(s, it->problem->grid, p, false, it->p);
 	else
-		memset(it->p, 0, s->size * sizeof *it->p);
+		ts_stencil_clear(s, it->p);
 	return TS_OK;
 }
 

@@ -17,6 +17,7 @@ struct ts_iteration {
 	int unfinished;	  /* enum ts_iteration_unfinished */
 	bool warned;	  /* the warning has been written */
 	bool weighed;	  /* the links have been set; without weights that is done once */
+	bool part;	  /* those of the planes of this rank only */
 	bool changed;	  /* the last ts_iteration_begin has changed the links */
 	struct ts_stencil stencil;
 	const struct ts_poisson *problem;

@@ -30,11 +30,12 @@ static void set_colours(struct ts_stencil *s)
 	}
 }
 
-enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3])
+enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3],
+				bool sparse)
 {
 	size_t lengths = 0;
 
-	*s = (struct ts_stencil){ .axes = axes, .threads = 1 };
+	*s = (struct ts_stencil){ .axes = axes, .threads = 1, .sparse = sparse };
 	for (int d = 0; d < 3; d++) {
 		s->n[d] = n[d];
 		s->periodic[d] = periodic[d];
@@ -47,7 +48,7 @@ enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, 
 	s->origin = (size_t)(8 + s->stride[1] + (axes > 2 ? s->stride[2] : 0));
 	s->size = (size_t)(s->stride[2] * (n[2] + (axes > 2 ? 2 : 0)) + 8);
 	s->memory = ts_alloc(lengths + (size_t)ts_stencil_rows(s), sizeof(double));
-	s->fields = ts_alloc_aligned(((size_t)axes + 1) * s->size, sizeof(double));
+	s->fields = ts_alloc_pages(((size_t)axes + 1) * s->size, sizeof(double), sparse);
 	if (!s->memory || !s->fields)
 		return TS_NOMEM;
 	s->rows = s->memory;
@@ -71,7 +72,7 @@ enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *pr
 
 	for (int d = 0; d < 3; d++)
 		periodic[d] = d < grid->dimensions && problem->condition[d][0] == TS_PRESSURE_PERIODIC;
-	TS_TRY(ts_stencil_shape(s, grid->n, grid->dimensions, periodic));
+	TS_TRY(ts_stencil_shape(s, grid->n, grid->dimensions, periodic, grid->sparse));
 	s->threads = problem->threads;
 	s->singular = problem->singular;
 	for (int d = 0; d < 3; d++) {
@@ -85,13 +86,31 @@ enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *pr
 void ts_stencil_release(struct ts_stencil *s)
 {
 	ts_free(s->memory);
-	ts_free(s->fields);
+	ts_free_pages(s->fields);
 	*s = (struct ts_stencil){ 0 };
 }
 
 double *ts_stencil_field(const struct ts_stencil *s)
 {
-	return ts_alloc_aligned(s->size, sizeof(double));
+	return ts_alloc_pages(s->size, sizeof(double), s->sparse);
+}
+
+void ts_stencil_field_free(double *field)
+{
+	ts_free_pages(field);
+}
+
+void ts_stencil_clear(const struct ts_stencil *s, double *p)
+{
+	size_t from, to;
+
+	ts_slabs_own(s->slabs, (size_t)s->n[2], &from, &to);
+	if (ts_slabs_ranks(s->slabs) == 1) {
+		memset(p, 0, s->size * sizeof *p);
+		return;
+	}
+	/* from the ghosts of the plane below to the ghosts of the plane above */
+	memset(p + from * (size_t)s->stride[2], 0, ((to + 2 - from) * (size_t)s->stride[2] + 8) * sizeof *p);
 }
 
 /* The links of faces across axis d in one row of cells, or of the faces above the last ones. */
@@ -119,11 +138,17 @@ static void set_row_links(struct ts_stencil *s, const struct ts_poisson *problem
 
 void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *problem)
 {
+	const int more = ts_slabs_ranks(s->slabs) > 1 ? problem->grid->ghosts[2] : 0;
+	size_t own, behind;
+
+	ts_slabs_own(s->slabs, (size_t)s->n[2], &own, &behind);
 	for (int d = 0; d < s->axes; d++) {
-		int ny = s->n[1] + (d == 1), rows = ny * (s->n[2] + (d == 2));
+		const int ny = s->n[1] + (d == 1), planes = s->n[2] + (d == 2);
+		const int from = (int)own > more ? (int)own - more : 0;
+		const int to = (int)behind + more + 1 < planes ? (int)behind + more + 1 : planes;
 
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-		for (int row = 0; row < rows; row++)
+		for (int row = from * ny; row < to * ny; row++)
 			set_row_links(s, problem, d, row % ny, row / ny);
 	}
 	ts_stencil_invert_diagonal(s);
@@ -142,8 +167,11 @@ static void invert_row(struct ts_stencil *s, size_t at)
 
 void ts_stencil_invert_diagonal(struct ts_stencil *s)
 {
+	int first, end;
+
+	ts_stencil_own(s, &first, &end);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
+	for (int row = first; row < end; row++)
 		invert_row(s, ts_stencil_row(s, row));
 }
 

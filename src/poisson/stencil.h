@@ -14,6 +14,7 @@ struct ts_stencil {
 	int n[3], axes; /* number of cells; number of axes with links: 2 or 3 */
 	int threads;
 	bool periodic[3], singular;
+	bool sparse; /* fields take memory where they are written only: a rank has some planes of them */
 	ptrdiff_t stride[3];
 	size_t origin, size;
 	double *width[3];	/* of cells */
@@ -57,16 +58,21 @@ static inline void ts_stencil_own(const struct ts_stencil *s, int *first, int *e
 
 /* Sets the geometry, without links; to be released by ts_stencil_release also after a failure. */
 enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *problem);
-enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3]);
+enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3],
+				bool sparse);
 void ts_stencil_release(struct ts_stencil *s);
 
-/* Computes the links from the present weights of the problem. */
+/* Computes the links from the present weights of the problem. While ranks have slabs: those of its planes, of the faces above
+ * them, and of as many planes below them, and above, as the grid has ghosts. */
 void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *problem);
 /* Computes `inverse` from the links. */
 void ts_stencil_invert_diagonal(struct ts_stencil *s);
 
 /* The functions below share the rows among ranks by `slabs`; sums and maxima are those of all. */
 double *ts_stencil_field(const struct ts_stencil *s);
+void ts_stencil_field_free(double *field);
+/* p = 0 in the planes of this rank and in those beside them, ghosts included. */
+void ts_stencil_clear(const struct ts_stencil *s, double *p);
 /* Copies between fields of the grid and fields of the stencil. `volumes`: multiplied by minus the volume,
  * as for right-hand sides. */
 void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,

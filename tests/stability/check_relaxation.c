@@ -48,9 +48,9 @@ static void make(struct square *q, enum ts_pressure_condition condition)
 
 static void done(struct square *q)
 {
-	free(q->p);
-	free(q->b);
-	free(q->spare);
+	ts_stencil_field_free(q->p);
+	ts_stencil_field_free(q->b);
+	ts_stencil_field_free(q->spare);
 	ts_stencil_release(&q->stencil);
 	ts_grid_release(&q->grid);
 }
