@@ -29,7 +29,10 @@ void ts_fluid_release(struct ts_fluid *fluid)
 	}
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
-			release_vector(fluid->face_velocity[d][side].plane);
+			for (int c = 0; c < 3; c++) {
+				ts_free(fluid->face_velocity[d][side].plane[c]);
+				fluid->face_velocity[d][side].plane[c] = NULL;
+			}
 			ts_free(fluid->pressure[d][side].plane);
 			fluid->pressure[d][side].plane = NULL;
 		}

@@ -171,6 +171,8 @@ static void complete_fields(struct ts_projection *p)
 		ts_slab_step_share(p, p->increment);
 	p->slabs.active = false;
 	fluid->planes.ranges = 0;
+	ts_fluid_fill_ghosts(fluid, fluid->u);
+	ts_fluid_fill_pressure(fluid, fluid->p);
 }
 
 static void complete_history(struct ts_projection *p)
