@@ -67,30 +67,27 @@ static bool stays_apart(struct ts_projection *p, const struct tsim *sim)
 	return true;
 }
 
-/* Index of the first value of a plane, ghosts included. */
-static size_t plane_at(const struct ts_grid *grid, int k)
-{
-	return k <= -grid->ghosts[2] ? 0 : ts_at(grid, -grid->ghosts[0], -grid->ghosts[1], k);
-}
-
 /* The planes of this rank and their ghosts. Those of a rank at an end of a periodic grid are made from planes at the other end. */
 static struct ts_fluid_planes choose_planes(const struct ts_projection *p)
 {
 	enum { G = TS_GRID_GHOSTS };
 	const int n = p->slabs.n;
 	struct ts_fluid_planes planes = { .ranges = 1 };
-	struct ts_fluid_range *own = &planes.range[0], *other = &planes.range[1];
+	struct ts_fluid_range *low = &planes.range[0], *high = &planes.range[1];
 	size_t from, to;
 
 	ts_slabs_own(&p->slabs, (size_t)n, &from, &to);
-	*own = (struct ts_fluid_range){ (int)from - G, (int)to + G };
+	*low = *high = (struct ts_fluid_range){ (int)from - G, (int)to + G };
 	if (!p->fluid.grid.periodic[2] || (from > 0 && (int)to < n))
 		return planes;
-	*other = from == 0 ? (struct ts_fluid_range){ n - G, n + G } : (struct ts_fluid_range){ -G, G };
-	if (own->to < other->from || other->to < own->from)
+	if (from == 0)
+		*high = (struct ts_fluid_range){ n - G, n + G };
+	else
+		*low = (struct ts_fluid_range){ -G, G };
+	if (low->to < high->from)
 		planes.ranges = 2;
 	else
-		*own = (struct ts_fluid_range){ -G, n + G };
+		low->to = high->to;
 	return planes;
 }
 
@@ -114,20 +111,18 @@ static void list_fields(struct ts_projection *p, double *field[16])
 /* Planes of other ranks take no memory any more. */
 static void forget_other_planes(struct ts_projection *p)
 {
-	const struct ts_grid *grid = &p->fluid.grid;
-	const struct ts_fluid_planes *planes = &p->fluid.planes;
-	const bool turned = planes->ranges > 1 && planes->range[1].from < planes->range[0].from;
-	const struct ts_fluid_range *low = &planes->range[turned],
-				    *high = &planes->range[planes->ranges > 1 && !turned];
+	const struct ts_fluid *fluid = &p->fluid;
+	size_t behind = 0, first, end;
 	double *field[16];
 
 	list_fields(p, field);
-	for (size_t k = 0; k < sizeof field / sizeof *field; k++) {
-		if (!field[k])
-			continue;
-		ts_grid_field_clear(field[k], 0, plane_at(grid, low->from));
-		ts_grid_field_clear(field[k], plane_at(grid, low->to), plane_at(grid, high->from));
-		ts_grid_field_clear(field[k], plane_at(grid, high->to), grid->size);
+	for (int range = 0; range <= fluid->planes.ranges; range++, behind = end) {
+		first = end = fluid->grid.size;
+		if (range < fluid->planes.ranges)
+			ts_fluid_range_values(fluid, range, &first, &end);
+		for (size_t k = 0; k < sizeof field / sizeof *field; k++)
+			if (field[k])
+				ts_grid_field_clear(field[k], behind, first);
 	}
 }
 
@@ -157,6 +152,15 @@ void ts_slab_step_end(struct ts_projection *p)
 	p->slabs.active = ts_fluid_divided(&p->fluid);
 }
 
+/* With the layer of faces behind the last ghosts, as restart files have it. */
+static void share_with_faces(const struct ts_projection *p, double *field)
+{
+	struct ts_slabs_field all = ts_fluid_slabs_field(&p->fluid.grid, field);
+
+	all.behind++;
+	ts_slabs_share(&p->slabs, &all);
+}
+
 static void complete_fields(struct ts_projection *p)
 {
 	struct ts_fluid *fluid = &p->fluid;
@@ -165,14 +169,13 @@ static void complete_fields(struct ts_projection *p)
 		return;
 	p->slabs.active = true;
 	for (int d = 0; d < fluid->grid.dimensions; d++)
-		ts_slab_step_share(p, fluid->u[d]);
-	ts_slab_step_share(p, fluid->p);
+		share_with_faces(p, fluid->u[d]);
+	share_with_faces(p, fluid->p);
 	if (p->increment)
-		ts_slab_step_share(p, p->increment);
+		share_with_faces(p, p->increment);
 	p->slabs.active = false;
 	fluid->planes.ranges = 0;
-	ts_fluid_fill_ghosts(fluid, fluid->u);
-	ts_fluid_fill_pressure(fluid, fluid->p);
+	ts_fluid_fill_periodic(fluid, fluid->p);
 }
 
 static void complete_history(struct ts_projection *p)

@@ -137,8 +137,7 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 	s->strip = s->eliminates ? STRIP : TS_LINES;
 	modes = (size_t)s->n[0] * (size_t)s->n[1];
 	n = (size_t)s->n[2];
-	/* an odd number of cache lines, so that planes do not map to the same cache sets */
-	s->plane = ((modes + 7) / 8 | 1) * 8;
+	s->plane = ts_direct_plane(modes);
 	s->work = ts_alloc_pages(s->plane * n, sizeof *s->work, problem->grid->sparse);
 	s->eigenvalue = ts_alloc_aligned(modes + 3 * n, sizeof *s->eigenvalue);
 	if (!s->work || !s->eigenvalue)
@@ -156,23 +155,28 @@ void ts_direct_release(struct ts_direct *s)
 {
 	for (int k = 0; k < 3; k++)
 		ts_transform_release(&s->transform[k]);
+	ts_direct_release_columns(s);
 	ts_free_pages(s->work);
 	ts_free(s->eigenvalue);
 	ts_free(s->spare);
 	*s = (struct ts_direct){ 0 };
 }
 
+struct task;
+/* Of a plane of modes, or a row of all planes. */
+typedef void step_fn(const struct task *task, int at, double *lines, double *spare);
+
 struct task {
 	const struct ts_direct *s;
 	const double *rhs;
 	double *p;
-	int planes;	      /* that a share is made of */
+	int each;	      /* planes or rows that a share is made of */
 	size_t threads;	      /* whose spare is whose */
 	size_t shares, first; /* of this rank: number, and the first one */
+	step_fn *step[2];     /* NULL: none */
 };
 
-/* Rows along the first axis in a field of the grid, and in the work memory: those of a plane, in two
- * dimensions those of several planes. */
+/* Rows along the first axis in a field of the grid, and in the work memory. */
 struct rows {
 	int count;
 	ptrdiff_t apart, step; /* from row to row, from cell to cell */
@@ -180,18 +184,28 @@ struct rows {
 	size_t start, work_start;
 };
 
-static struct rows find_rows(const struct task *task, int c)
+/* `count` rows from row j of plane c on, which follow each other along axis 1 or 2. */
+static struct rows find_rows(const struct ts_direct *s, int j, int c, int across, int count)
 {
-	const struct ts_direct *s = task->s;
-	int across = s->n[1] > 1 ? 1 : 2;
-	int planes = s->n[2] - c < task->planes ? s->n[2] - c : task->planes;
-
-	return (struct rows){ .count = across == 1 ? s->n[1] : planes,
+	return (struct rows){ .count = count,
 			      .apart = s->stride[s->axis[across]],
 			      .step = s->stride[s->axis[0]],
 			      .work_apart = across == 1 ? s->n[0] : (ptrdiff_t)s->plane,
-			      .start = (size_t)((ptrdiff_t)s->origin + c * s->stride[s->axis[2]]),
-			      .work_start = (size_t)c * s->plane };
+			      .start = (size_t)((ptrdiff_t)s->origin + j * s->stride[s->axis[1]] +
+						c * s->stride[s->axis[2]]),
+			      .work_start = (size_t)c * s->plane + (size_t)j * (size_t)s->n[0] };
+}
+
+static int at_most_lines(int n)
+{
+	return n < TS_LINES ? n : TS_LINES;
+}
+
+/* Those of a plane; in two dimensions of TS_LINES planes. */
+static struct rows rows_of_plane(const struct ts_direct *s, int c)
+{
+	return s->n[1] > 1 ? find_rows(s, 0, c, 1, s->n[1])
+			   : find_rows(s, 0, c, 2, at_most_lines(s->n[2] - c));
 }
 
 /* Copies rows to interleaved lines, and back. Missing rows are 0. */
@@ -213,14 +227,14 @@ static void scatter_lines(const double *restrict lines, int count, ptrdiff_t apa
 			row[i * step] = lines[i * TS_LINES + l];
 }
 
-static void first_forward(const struct task *task, const struct rows *r, double *lines, double *spare)
+static void forward_rows(const struct task *task, const struct rows *r, double *lines, double *spare)
 {
 	const struct ts_direct *s = task->s;
 	const double *from = task->rhs + r->start;
 	double *to = s->work + r->work_start;
 
 	for (int row = 0; row < r->count; row += TS_LINES) {
-		int count = r->count - row < TS_LINES ? r->count - row : TS_LINES;
+		int count = at_most_lines(r->count - row);
 
 		gather_lines(from + row * r->apart, count, r->apart, s->n[0], r->step, lines);
 		ts_transform_forward(&s->transform[0], lines, spare);
@@ -228,19 +242,48 @@ static void first_forward(const struct task *task, const struct rows *r, double 
 	}
 }
 
-static void first_backward(const struct task *task, const struct rows *r, double *lines, double *spare)
+static void backward_rows(const struct task *task, const struct rows *r, double *lines, double *spare)
 {
 	const struct ts_direct *s = task->s;
 	const double *from = s->work + r->work_start;
 	double *to = task->p + r->start;
 
 	for (int row = 0; row < r->count; row += TS_LINES) {
-		int count = r->count - row < TS_LINES ? r->count - row : TS_LINES;
+		int count = at_most_lines(r->count - row);
 
 		gather_lines(from + row * r->work_apart, count, r->work_apart, s->n[0], 1, lines);
 		ts_transform_backward(&s->transform[0], lines, spare);
 		scatter_lines(lines, count, r->apart, s->n[0], r->step, to + row * r->apart);
 	}
+}
+
+static void first_forward(const struct task *task, int c, double *lines, double *spare)
+{
+	const struct rows r = rows_of_plane(task->s, c);
+
+	forward_rows(task, &r, lines, spare);
+}
+
+static void first_backward(const struct task *task, int c, double *lines, double *spare)
+{
+	const struct rows r = rows_of_plane(task->s, c);
+
+	backward_rows(task, &r, lines, spare);
+}
+
+/* Row j of all planes. */
+static void row_forward(const struct task *task, int j, double *lines, double *spare)
+{
+	const struct rows r = find_rows(task->s, j, 0, 2, task->s->n[2]);
+
+	forward_rows(task, &r, lines, spare);
+}
+
+static void row_backward(const struct task *task, int j, double *lines, double *spare)
+{
+	const struct rows r = find_rows(task->s, j, 0, 2, task->s->n[2]);
+
+	backward_rows(task, &r, lines, spare);
 }
 
 typedef void transform_fn(const struct ts_transform *t, double *lines, double *spare);
@@ -261,9 +304,10 @@ static void store_columns(const double *lines, size_t stride, int n, int count, 
 		memcpy(work + (size_t)j * stride, lines + j * TS_LINES, (size_t)count * sizeof *lines);
 }
 
-static void transform_second_axis(const struct ts_direct *s, transform_fn *transform, int c, double *lines,
+static void transform_second_axis(const struct task *task, transform_fn *transform, int c, double *lines,
 				  double *spare)
 {
+	const struct ts_direct *s = task->s;
 	double *work = s->work + (size_t)c * s->plane;
 
 	for (int i = 0; i < s->n[0]; i += TS_LINES) {
@@ -285,34 +329,26 @@ static double *thread_work_memory(const struct task *task, size_t from)
 	return task->s->spare + thread * task->s->spare_size;
 }
 
-static void forward_planes(void *context, size_t from, size_t to)
+static void second_forward(const struct task *task, int c, double *lines, double *spare)
 {
-	const struct task *task = context;
-	double *lines = thread_work_memory(task, from), *spare = lines + task->s->line_size;
-
-	for (size_t share = from; share < to; share++) {
-		int c = (int)(task->first + share) * task->planes;
-		struct rows rows = find_rows(task, c);
-
-		first_forward(task, &rows, lines, spare);
-		if (task->s->n[1] > 1)
-			transform_second_axis(task->s, ts_transform_forward, c, lines, spare);
-	}
+	if (task->s->n[1] > 1)
+		transform_second_axis(task, ts_transform_forward, c, lines, spare);
 }
 
-static void backward_planes(void *context, size_t from, size_t to)
+static void second_backward(const struct task *task, int c, double *lines, double *spare)
+{
+	if (task->s->n[1] > 1)
+		transform_second_axis(task, ts_transform_backward, c, lines, spare);
+}
+
+static void make_steps(void *context, size_t from, size_t to)
 {
 	const struct task *task = context;
 	double *lines = thread_work_memory(task, from), *spare = lines + task->s->line_size;
 
-	for (size_t share = from; share < to; share++) {
-		int c = (int)(task->first + share) * task->planes;
-		struct rows rows = find_rows(task, c);
-
-		if (task->s->n[1] > 1)
-			transform_second_axis(task->s, ts_transform_backward, c, lines, spare);
-		first_backward(task, &rows, lines, spare);
-	}
+	for (size_t share = from; share < to; share++)
+		for (int k = 0; k < 2 && task->step[k]; k++)
+			task->step[k](task, (int)(task->first + share) * task->each, lines, spare);
 }
 
 /* One row of the forward elimination: new coefficient to the row above, and new right-hand side. */
@@ -422,28 +458,70 @@ static void transform_strips(void *context, size_t from, size_t to)
 	}
 }
 
-static void share_among_threads(struct task *task, size_t shares, ts_range_fn *share)
+static void share_among_threads(struct task *task, const struct ts_slabs *slabs, size_t shares,
+				ts_range_fn *share)
 {
 	size_t end;
 
-	ts_slabs_own(task->s->slabs, shares, &task->first, &end);
+	ts_slabs_own(slabs, shares, &task->first, &end);
 	shares = end - task->first;
 	task->shares = shares;
 	task->threads = shares < (size_t)task->s->threads ? shares : (size_t)task->s->threads;
 	ts_parallel((int)task->threads, shares, share, task);
 }
 
+/* Of n planes or rows. */
+static void process(struct task *task, const struct ts_slabs *slabs, int n, step_fn *first, step_fn *second)
+{
+	task->step[0] = first;
+	task->step[1] = second;
+	share_among_threads(task, slabs, (size_t)((n + task->each - 1) / task->each), make_steps);
+}
+
+static void process_strips(struct task *task, const struct ts_slabs *slabs)
+{
+	const struct ts_direct *s = task->s;
+	const size_t modes = (size_t)s->n[0] * (size_t)s->n[1];
+
+	share_among_threads(task, slabs, (modes + s->strip - 1) / s->strip,
+			    s->eliminates ? eliminate_strips : transform_strips);
+}
+
+static void solve_by_planes(struct task *task)
+{
+	const struct ts_direct *s = task->s;
+
+	task->each = s->n[1] > 1 ? 1 : TS_LINES;
+	process(task, s->slabs, s->n[2], first_forward, second_forward);
+	ts_direct_exchange(s, false);
+	process_strips(task, s->slabs);
+	ts_direct_exchange(s, true);
+	process(task, s->slabs, s->n[2], second_backward, first_backward);
+}
+
+/* Slabs of ranks are across the second axis: each has rows of all planes, and after the exchange columns. Lines that are
+ * transformed together are those of one row, on one rank, too: their rounding depends on each other. */
+static void solve_by_rows(struct task *task)
+{
+	const struct ts_direct *s = task->s;
+	struct task columns = { .s = ts_direct_divided(s) ? s->columns : s, .each = 1 };
+
+	task->each = 1;
+	process(task, s->slabs, s->n[1], row_forward, NULL);
+	ts_direct_exchange(s, false);
+	process(&columns, NULL, s->n[2], second_forward, NULL);
+	process_strips(&columns, NULL);
+	process(&columns, NULL, s->n[2], second_backward, NULL);
+	ts_direct_exchange(s, true);
+	process(task, s->slabs, s->n[1], row_backward, NULL);
+}
+
 void ts_direct_solve(const struct ts_direct *s, const double *rhs, double *p)
 {
 	struct task task = { .s = s, .rhs = rhs, .p = p };
-	size_t modes = (size_t)s->n[0] * (size_t)s->n[1], planes, strips;
 
-	task.planes = s->n[1] > 1 ? 1 : TS_LINES;
-	planes = (size_t)((s->n[2] + task.planes - 1) / task.planes);
-	share_among_threads(&task, planes, forward_planes);
-	ts_direct_exchange(s, false);
-	strips = (modes + s->strip - 1) / s->strip;
-	share_among_threads(&task, strips, s->eliminates ? eliminate_strips : transform_strips);
-	ts_direct_exchange(s, true);
-	share_among_threads(&task, planes, backward_planes);
+	if (s->n[1] > 1 && s->axis[1] == 2)
+		solve_by_rows(&task);
+	else
+		solve_by_planes(&task);
 }

@@ -30,7 +30,15 @@ struct ts_direct {
 	size_t spare_size, line_size;
 	size_t singular;	/* index of the mode of eigenvalue 0; SIZE_MAX if there is none */
 	struct ts_slabs *slabs; /* of ranks: poisson/direct_exchange.h; NULL: none */
+	/* If the slabs are across the second axis: the part of the modes of the first axis that this rank eliminates. Owned */
+	struct ts_direct *columns;
 };
+
+/* Doubles from one plane of modes to the next: an odd number of cache lines, so that planes do not map to the same cache sets. */
+static inline size_t ts_direct_plane(size_t modes)
+{
+	return ((modes + 7) / 8 | 1) * 8;
+}
 
 /* Released also after a failure. */
 enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *problem, int threads);

@@ -8,6 +8,10 @@
 struct ts_transposition {
 	struct ts_slabs *slabs;
 	struct ts_slabs_field field; /* without planes before plane 0 */
+	size_t layers, apart;	     /* so many fields, `apart` values from one to the next; 0: one */
+	/* Another field, which has the columns of this rank alone; NULL: they stay where they are. */
+	double *turned;
+	size_t turned_stride, turned_apart;
 	/* The columns from[0] .. from[1] - 1 are those of this rank. */
 	void (*columns)(const void *of, int rank, size_t from[2]);
 	const void *of;

@@ -137,7 +137,7 @@ cells='cells 12 10 16'
 walls='f f f'
 lid='flow_boundary zhi wall velocity 1 0 0'
 solved direct direct "$cells" 'f p f' "$lid"
-solved 'a periodic axis across the slabs' cg "$cells" 'f p p' 'flow_boundary xlo wall velocity 0 1 0'
+solved 'a periodic axis across the slabs' direct 'cells 12 40 16' 'f p p' 'flow_boundary xlo wall velocity 0 1 0'
 solved cg 'cg preconditioner diagonal' "$cells" "$walls" "$lid"
 solved multigrid multigrid 'cells 32 32 32' "$walls" "$lid"
 solved sor 'sor tolerance 1e-5' "$cells" "$walls" "$lid"
