@@ -38,8 +38,9 @@ struct ts_plan_report {
 	struct ts_str lines; /* "  particles    3100 ..." */
 	struct ts_left_out *left_out;
 	size_t nleft_out, left_out_capacity;
-	double bytes; /* memory of the simulation, bytes */
-	double whole; /* the part of it that every rank has, however many there are */
+	double bytes;	   /* memory of the simulation, bytes */
+	double whole;	   /* the part of it that does not depend on the particles of a rank */
+	bool divides_grid; /* `whole` is of some planes of the grid of a fluid */
 	/* With several ranks: what each of them sends to all others in a step besides copies of particles. */
 	struct ts_report_shared {
 		int messages;

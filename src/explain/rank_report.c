@@ -186,7 +186,9 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 	ts_str_add(&text, " at outputs of contacts, in set-up with bonds, a fluid or insertions, and before "
 			  "another command\n");
 	if (report->whole > 0)
-		ts_str_add(&text, "  every rank has the whole grid of the fluid or automaton\n");
+		ts_str_add(&text, report->divides_grid
+					  ? "  every rank has some planes of the grid of the fluid\n"
+					  : "  every rank has the whole grid of the fluid or automaton\n");
 	else if (isfinite(seconds)) {
 		ts_str_add(&text, "  time per step about ");
 		ts_price_time(step, &text);

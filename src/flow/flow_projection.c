@@ -168,7 +168,8 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_fluid_share_sources(&p->fluid, sim));
 	if (!ts_ranks_first(sim))
 		sim->log.sink = NULL;
-	ts_slab_step_begin(p, sim);
+	if (ts_slab_step_begin(p, sim))
+		ts_slab_step_forget(p);
 	status = make_step(self, sim);
 	ts_slab_step_end(p);
 	sim->log.sink = sink;
@@ -358,13 +359,31 @@ static void report_ranks(struct ts_instance *self, const struct tsim *sim, struc
 							  .looks = ts_pressure_style_of(p->pressure)->looks };
 }
 
+/* The part of the memory of fields and solver that a rank has. */
+static enum ts_status report_memory_of_rank(struct ts_instance *self, struct tsim *sim, double bytes,
+					    struct ts_plan_report *report)
+{
+	const struct ts_projection *p = self->state;
+	const int ranks = ts_ranks(sim), n = p->fluid.grid.n[2], all = n + 2 * TS_GRID_GHOSTS;
+	int planes = all;
+
+	if (ranks > 1 && ranks <= TS_REHEARSED_MOST && p->pressure)
+		TS_TRY(ts_projection_rehearse_planes(self, sim, ranks, &planes));
+	report->whole += bytes * planes / all;
+	report->divides_grid = planes < all;
+	if (planes < all)
+		ts_report_line(report, "fluid's planes", "each rank has up to %d of %d in memory", planes,
+			       all);
+	return TS_OK;
+}
+
 static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	double fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3;
-	double mean;
+	double mean, before = report->bytes;
 
 	TS_TRY(ts_projection_net_outflow(self, sim, &mean));
 	TS_TRY(ts_projection_check_pressure(self, sim));
@@ -380,7 +399,7 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 		       ts_flow_form_names[p->form], ts_flow_time_names[p->time]);
 	ts_pressure_explain(sim, &p->poisson, p->fluid.void_fraction || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
-	report->whole += 8 * fields * (double)grid->size;
+	TS_TRY(report_memory_of_rank(self, sim, report->bytes - before, report));
 	report_ranks(self, sim, report);
 	if (!p->fluid.void_fraction)
 		ts_report_left_out(report, "void fraction", 0, 8 * VOID_FIELDS * (double)grid->size,

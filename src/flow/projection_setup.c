@@ -178,7 +178,8 @@ enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	p->poisson.slabs = &p->slabs;
 	fluid->slabs = &p->slabs;
-	ts_slab_step_begin(p, sim);
+	if (ts_slab_step_begin(p, sim))
+		ts_slab_step_forget(p);
 	TS_TRY(ts_projection_set_face_types(self, sim));
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
 	p->ghosts_filled = false;

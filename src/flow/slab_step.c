@@ -108,8 +108,7 @@ static void list_fields(struct ts_projection *p, double *field[16])
 	field[n++] = p->fluid.p_mean;
 }
 
-/* Planes of other ranks take no memory any more. */
-static void forget_other_planes(struct ts_projection *p)
+void ts_slab_step_forget(struct ts_projection *p)
 {
 	const struct ts_fluid *fluid = &p->fluid;
 	size_t behind = 0, first, end;
@@ -126,7 +125,7 @@ static void forget_other_planes(struct ts_projection *p)
 	}
 }
 
-void ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim)
+bool ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim)
 {
 	const bool divides = sim->world && ts_slab_step_divides(p, sim->world->n),
 		   some = divides && stays_apart(p, sim), were = ts_fluid_divided(&p->fluid);
@@ -134,11 +133,9 @@ void ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim)
 	if (!some)
 		ts_slab_step_complete(p);
 	p->slabs.active = divides;
-	if (!some)
-		return;
-	p->fluid.planes = choose_planes(p);
-	if (!were)
-		forget_other_planes(p);
+	if (some)
+		p->fluid.planes = choose_planes(p);
+	return some && !were;
 }
 
 void ts_slab_step_check_solver(struct ts_projection *p)

@@ -7,8 +7,11 @@
 /* Whether so many ranks divide the steps of this grid; else each computes all of it. */
 bool ts_slab_step_divides(const struct ts_projection *projection, int ranks);
 
-/* Before a step, while the particles are divided among ranks, and in the set-up: chooses the planes that a rank has. */
-void ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim);
+/* Before a step, while the particles are divided among ranks, and in the set-up: chooses the planes that a rank has. Returns whether
+ * it has had all until now, and needs these only. */
+bool ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim);
+/* Planes of other ranks take no memory any more. */
+void ts_slab_step_forget(struct ts_projection *projection);
 /* A fluid that ranks have in some planes only stays divided. */
 void ts_slab_step_end(struct ts_projection *projection);
 /* All ranks get all planes of the fluid. */

@@ -73,42 +73,85 @@ static enum ts_status rehearse_step(struct ts_instance *self, struct tsim *sim, 
 	ts_slab_step_begin(p, sim);
 	for (int64_t k = 0; k < p->done && status == TS_OK; k++)
 		status = rehearse_substep(p, sim, length / (double)p->done, iterations);
-	p->fluid.planes.ranges = 0; /* no plane has been left to another rank */
 	ts_slab_step_end(p);
 	return status;
 }
 
+struct rehearsal {
+	int ranks, iterations;
+	struct ts_world_counts *sent; /* [ranks] */
+	int planes;
+};
+typedef enum ts_status rehearsal_fn(struct ts_instance *self, struct tsim *sim, struct rehearsal *of);
+
 /* All ranks in turn, with one solver. */
-static enum ts_status rehearse_steps(struct ts_instance *self, struct tsim *sim, int iterations,
-				     struct ts_world_counts *sent)
+static enum ts_status rehearse_steps(struct ts_instance *self, struct tsim *sim, struct rehearsal *of)
 {
 	struct ts_world *world = sim->world;
 
 	TS_TRY(use_ranks(self->state, sim));
 	for (world->rank = 0; world->rank < world->n; world->rank++) {
-		world->counts = sent[world->rank];
-		TS_TRY(rehearse_step(self, sim, iterations));
-		sent[world->rank] = world->counts;
+		world->counts = of->sent[world->rank];
+		TS_TRY(rehearse_step(self, sim, of->iterations));
+		of->sent[world->rank] = world->counts;
 	}
 	return TS_OK;
+}
+
+static enum ts_status count_planes(struct ts_instance *self, struct tsim *sim, struct rehearsal *of)
+{
+	const struct ts_projection *p = self->state;
+	const int n = p->fluid.grid.n[2], all = n + 2 * TS_GRID_GHOSTS;
+
+	TS_TRY(use_ranks(self->state, sim));
+	ts_slab_step_begin(self->state, sim);
+	of->planes = all;
+	if (!ts_fluid_divided(&p->fluid))
+		return TS_OK;
+	/* of a rank at the end of a periodic grid, which has images of the other end */
+	of->planes = (n + of->ranks - 1) / of->ranks + (p->fluid.grid.periodic[2] ? 4 : 2) * TS_GRID_GHOSTS;
+	of->planes = of->planes < all ? of->planes : all;
+	return TS_OK;
+}
+
+/* Calls the function with a world of so many ranks, which send nothing. */
+static enum ts_status with_ranks(struct ts_instance *self, struct tsim *sim, rehearsal_fn *rehearse,
+				 struct rehearsal *of)
+{
+	struct ts_projection *p = self->state;
+	const struct ts_fluid_planes planes = p->fluid.planes;
+	struct ts_world *real = sim->world, world;
+	enum ts_status status;
+
+	ts_rehearsal_make(&world, 0, of->ranks);
+	sim->world = &world;
+	p->fluid.planes.ranges = 0;
+	status = rehearse(self, sim, of);
+	sim->world = real;
+	ts_slabs_release(&p->slabs);
+	p->fluid.planes = planes; /* no plane has been left to another rank */
+	if (status == TS_OK)
+		status = use_ranks(p, sim);
+	ts_slab_step_end(p);
+	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
 enum ts_status ts_projection_rehearse(struct ts_instance *self, struct tsim *sim, int ranks, int iterations,
 				      struct ts_world_counts *sent)
 {
 	struct ts_projection *p = self->state;
-	struct ts_world *real = sim->world, world;
-	enum ts_status status;
+	struct rehearsal of = { .ranks = ranks, .iterations = iterations, .sent = sent };
 
 	TS_TRY(ts_projection_choose_substeps(self, sim, (double)p->every * sim->clock.dt));
-	if (!ts_slab_step_divides(p, ranks))
-		return TS_OK;
-	ts_rehearsal_make(&world, 0, ranks);
-	sim->world = &world;
-	status = rehearse_steps(self, sim, iterations, sent);
-	sim->world = real;
-	ts_slabs_release(&p->slabs);
-	if (status == TS_OK)
-		status = use_ranks(p, sim);
-	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
+	return ts_slab_step_divides(p, ranks) ? with_ranks(self, sim, rehearse_steps, &of) : TS_OK;
+}
+
+enum ts_status ts_projection_rehearse_planes(struct ts_instance *self, struct tsim *sim, int ranks,
+					     int *planes)
+{
+	struct rehearsal of = { .ranks = ranks };
+
+	TS_TRY(with_ranks(self, sim, count_planes, &of));
+	*planes = of.planes;
+	return TS_OK;
 }

@@ -11,4 +11,8 @@ enum { TS_REHEARSED_MOST = 4096 }; /* ranks: the work grows as their square */
 enum ts_status ts_projection_rehearse(struct ts_instance *self, struct tsim *sim, int ranks, int iterations,
 				      struct ts_world_counts *sent);
 
+/* The planes of the grid, ghosts included, that each rank has in memory, at most; all if ranks do not divide it. */
+enum ts_status ts_projection_rehearse_planes(struct ts_instance *self, struct tsim *sim, int ranks,
+					     int *planes);
+
 #endif
