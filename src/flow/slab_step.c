@@ -16,9 +16,14 @@ bool ts_slab_step_divides(const struct ts_projection *p, int ranks)
 	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= ranks;
 }
 
-/* Whether a style may evaluate a formula, which may read the fluid. */
+/* Whether a style may evaluate a formula, which may read the fluid, while the particles are divided. Outputs do when all ranks
+ * have all of them, and get the fluid then (ts_flow_require_fields). */
 static bool has_formula(const struct ts_instance *inst)
 {
+	const bool is_output = (inst->style->ranks & (TS_RANKS_WHOLE | TS_RANKS_OWN)) == TS_RANKS_WHOLE;
+
+	if (is_output || inst->style->kind == TS_KIND_COMPUTE)
+		return false;
 	for (size_t k = 0; k < inst->words.n; k++)
 		if (strstr(inst->words.word[k].text, "v_"))
 			return true;

@@ -78,4 +78,36 @@ nm "$TSIM" 2>/dev/null | grep -q __asan_init && { finish; exit; }
 awk 'NR == 1 { m = $1 } END { m = ($1 - m) * 1024 / (64^3 - 20^3); print m; exit !(m > 250 && m < 500) }' measured >compared
 report 'bytes of a particle on three ranks' $? compared
 cat compared
+
+# fluid SOLVER LEAST MOST: bytes of a cell more, of the largest of four ranks: a fluid that nothing reads takes a part of it in each
+fluid() {
+	for n in 48 96; do
+		on_ranks 4 /usr/bin/time -f %M -a -o kilobytes "$TSIM" -in in.cavity -log none -screen none -var n $n \
+			-var solver "$1" >out 2>&1 </dev/null
+		report "$1, $n cells, four ranks" $? out
+		sort -n kilobytes | tail -1
+		rm -f kilobytes
+	done >measured
+	awk -v least="$2" -v most="$3" '/^[0-9]+$/ { m = b; b = $1 }
+		END { m = (b - m) * 1024 / (96^3 - 48^3); print m; exit !(m > least && m < most) }' measured >compared
+	report "bytes of a cell on four ranks, $1" $? compared
+	cat compared
+}
+cat >in.cavity <<'E2'
+units		si
+boundary	f f f
+region		box block 0 1 0 1 0 1 units box
+create_box	1 box
+flow_style	projection cells ${n} ${n} ${n} viscosity 0.01 density 1
+flow_boundary	zhi wall velocity 1 0 0
+pressure_style	${solver}
+timestep	0.0001
+thermo_style	custom step flow_cfl
+run		2
+run		1
+E2
+# one rank: 82, 167 and 190
+fluid direct 20 40
+fluid 'cg preconditioner diagonal' 35 60
+fluid multigrid 40 70
 finish

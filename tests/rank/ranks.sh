@@ -71,6 +71,10 @@ resumed "$scenes/in.mill" 410 390 "$lines"
 resumed "$scenes/in.sorted" 420 280 "$lines|region[[:space:]]+(part|lower|middle|ball)"
 resumed "$scenes/in.sieve" 213 387 "$lines"
 resumed "$scenes/in.waves" 420 280 "$lines|region[[:space:]]+(tray|lump|paddle|low)"
+sed 's/boundary f p p/boundary p p f/; s/^flow_boundary.*/flow_boundary zhi outlet pressure 2/; s/time rk2/time ab2 viscous implicit/
+	s/17 14 13/17 14 23/; s/^dump.*/variable e atom flow_ke\ndump last all custom 36 ${out}.dump id v_e\ndump_modify last format float %.17g/' \
+	"$scenes/in.slabs" >in.planes
+resumed in.planes 17 19 "$lines|flow|pressure"
 resumed "$top_srcdir/tests/decks/in.insertion" 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 for name in "${names[@]}"; do
 	mkdir -p "whole/$name"
