@@ -807,6 +807,7 @@ library_sources = \
 	src/insert/insertion_make.c \
 	src/insert/insertion_meshes.c \
 	src/insert/insertion_meshes.h \
+	src/insert/insertion_overlap.c \
 	src/insert/insertion_rate.c \
 	src/insert/insertion_rate.h \
 	src/insert/insertion_region.c \

@@ -96,7 +96,7 @@ enum ts_rank_use {
 	 * change nothing. */
 	TS_RANKS_PARTICLES = 8,
 	/* All ranks do the steps in which `due` says so with all particles, as one rank does: what is rare and looks at the
-	 * particles of all ranks, such as insertions. */
+	 * particles of all ranks, such as insertions of clumps. */
 	TS_RANKS_STEPS = 16,
 	/* Its `review` reads no particles and no contacts, but with -explain. */
 	TS_RANKS_REVIEW = 32,

@@ -356,25 +356,21 @@ static enum ts_status check_memory(struct tsim *sim, const struct state *s, doub
 static enum ts_status create_particles(struct tsim *sim, const struct ts_sites *from, size_t all)
 {
 	struct ts_particles *p = sim->particles;
-	const int32_t before = p->max_tag;
 	size_t first;
 
-	if (all > (size_t)(INT32_MAX - before))
-		return ts_fail(&sim->error, TS_RANGE, NULL, "too many particles");
-	TS_TRY(ts_particles_add(sim, from->n, &first));
+	TS_TRY(ts_particles_add_some(sim, from->n, all, &first));
 	for (size_t k = 0; k < from->n; k++) {
 		const struct ts_site *site = &from->site[k];
 		double mass = p->type_mass[site->type];
 
 		for (int d = 0; d < 3; d++)
 			p->x[first + k][d] = site->x[d];
-		p->tag[first + k] = before + 1 + site->number;
+		p->tag[first + k] = p->max_tag - (int32_t)all + 1 + site->number;
 		p->type[first + k] = site->type;
 		if (mass > 0)
 			p->mass[first + k] = mass;
 		p->imass[first + k] = 1 / p->mass[first + k];
 	}
-	p->max_tag = before + (int32_t)all;
 	ts_log(&sim->log, "Created %zu atoms\n", all);
 	return sim->division ? ts_division_made(sim) : TS_OK;
 }

@@ -1,4 +1,5 @@
 /* Fix insert/jet: particles leave a round nozzle at a given rate and speed. */
+#include "core/ranks.h"
 #include "core/report.h"
 #include "core/sim.h"
 
@@ -231,7 +232,7 @@ static void warn_blocked(struct ts_instance *self, struct tsim *sim)
 	const struct ts_distribution *d = s->base.distribution->state;
 	double area = TS_PI * (s->nozzle.outer * s->nozzle.outer - s->nozzle.inner * s->nozzle.inner);
 
-	if (!s->base.warned)
+	if (!s->base.warned && ts_ranks_first(sim))
 		ts_warn(&sim->log, &self->where,
 			"fix insert/jet %s: no place for a particle in step %lld after %lld tries; it is "
 			"inserted later. Particles fill %.2g of the volume of the jet at the nozzle: take a "
@@ -271,18 +272,41 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
+/* Keeps the times of the particles of this rank, and returns their number. */
+static size_t keep_own_times(struct jet *s)
+{
+	size_t own = 0;
+
+	for (size_t k = 0; k < s->base.spheres; k++)
+		if (s->base.sphere[k].row >= 0)
+			s->flown[own++] = s->flown[k];
+	return own;
+}
+
+/* Of several ranks the one tells that has found the wall that comes first and the particle with the least identity there. */
+static bool is_first(const struct tsim *sim, const struct ts_missed_wall *wall)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	double order = INFINITY;
+
+	for (size_t k = 0; wall->id && k < fixes->n; k++)
+		if (ts_streq(fixes->item[k]->id, wall->id))
+			order = (double)k * ((double)INT32_MAX + 1) + sim->particles->tag[wall->i];
+	return ts_ranks_most(sim, -order) == -order && wall->id;
+}
+
 /* Fails if a particle has met a wall on its way from the nozzle. `from`: index of the first new one. */
 static enum ts_status check_way(struct ts_instance *self, struct tsim *sim, size_t from)
 {
-	const struct jet *s = self->state;
+	struct jet *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	struct ts_missed_wall wall = { 0 };
 	char advice[80] = "take a smaller time step, or move the nozzle away from the wall";
 	double steps;
 
 	if (p->find_missed_wall)
-		TS_TRY(p->find_missed_wall(sim, from, s->spheres, s->flown, &wall));
-	if (!wall.id)
+		TS_TRY(p->find_missed_wall(sim, from, keep_own_times(s), s->flown, &wall));
+	if (!is_first(sim, &wall))
 		return TS_OK;
 	steps = floor(wall.met / sim->clock.dt);
 	if (steps >= 1)
@@ -305,7 +329,7 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	if (!s->base.due)
 		return TS_OK;
 	if (s->base.overlapcheck)
-		status = ts_insertion_hash_near(sim, &s->occupied, s->nozzle.centre,
+		status = ts_insertion_hash_near(sim, &s->occupied, s->nozzle.centre, s->nozzle.centre,
 						s->nozzle.outer + ts_spread_largest(&s->speed) * s->span +
 							3 * d->largest);
 	if (status == TS_OK)
@@ -326,12 +350,12 @@ static double delivered(const struct jet *s, const struct tsim *sim)
 	return s->per_time * (isfinite(s->duration) ? fmin(dt, fmax(0, s->duration - s->age)) : dt);
 }
 
-/* Whether the step that begins inserts particles. */
-static bool inserts(const struct ts_instance *self, const struct tsim *sim)
+/* Whether the step that begins inserts particles, and all ranks do it with all particles. */
+static bool inserts_whole(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct jet *s = self->state;
 
-	return s->base.wait <= 1 && s->steps_left <= 1 &&
+	return !ts_insertion_divides(&s->base, sim) && s->base.wait <= 1 && s->steps_left <= 1 &&
 	       is_due(s, s->base.inserted, s->base.mass, s->owed + delivered(s, sim));
 }
 
@@ -494,7 +518,7 @@ const struct ts_style ts_fix_insert_jet = {
 		   "time 1e-3 overlapcheck no",
 	.args = args,
 	.ranks = TS_RANKS_STEPS,
-	.due = inserts,
+	.due = inserts_whole,
 	.state_size = sizeof(struct jet),
 	.saved = saved,
 	.archive = archive,

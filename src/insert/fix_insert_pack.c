@@ -97,7 +97,7 @@ const struct ts_style ts_fix_insert_pack = {
 	.name = "insert/pack",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_STEPS,
-	.due = ts_insertion_due,
+	.due = ts_insertion_whole_due,
 	.summary = "Fills a region with particles",
 	.purpose = "Fills a bin, a drum or a box with grains that do not overlap: once, or again and again. "
 		   "It needs a region, and a fix particledistribution/discrete with templates of particles.",

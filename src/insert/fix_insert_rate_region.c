@@ -71,7 +71,7 @@ const struct ts_style ts_fix_insert_rate_region = {
 	.name = "insert/rate/region",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_STEPS,
-	.due = ts_insertion_due,
+	.due = ts_insertion_whole_due,
 	.summary = "Inserts particles in a region at a given rate",
 	.purpose = "A feeder: grains appear in a region at a given rate. It needs a region, and a fix "
 		   "particledistribution/discrete with templates of particles.",

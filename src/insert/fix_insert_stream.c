@@ -1,6 +1,6 @@
 /* Fix insert/stream: inserts a stream of particles through a plane face. */
 #include "core/deferred_loops.h"
-#include "core/sim.h"
+#include "core/ranks.h"
 
 #include "base/sort.h"
 #include "box/domain.h"
@@ -233,7 +233,7 @@ static enum ts_status check_space_in_box(struct ts_instance *self, struct tsim *
 			       "fix insert/stream: %.0f%% of the space behind the face, %g long, are outside "
 			       "the box; make the box larger, or extrude_length smaller",
 			       100.0 * outside / NMEASURE, s->length);
-	if (outside && !s->base.warned)
+	if (outside && !s->base.warned && ts_ranks_first(sim))
 		ts_warn(&sim->log, &self->where,
 			"fix insert/stream: %.2f%% of the space behind the face, %g long, are outside the "
 			"box: no particle will come from there",
@@ -265,6 +265,24 @@ static enum ts_status place_particle(struct ts_instance *self, struct tsim *sim,
 	return one->placed ? ts_insertion_hash_add(sim, &search->occupied, one) : TS_OK;
 }
 
+/* Those that particles in the space behind the face may overlap. */
+static enum ts_status hash_present(const struct state *s, struct tsim *sim, struct ts_spherehash *occupied)
+{
+	const struct ts_mesh *mesh = &s->face->mesh;
+	const double reach = ts_insertion_reach(&s->base.list), depth = s->length + reach;
+	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
+
+	for (size_t t = 0; t < mesh->n; t++)
+		for (int k = 0; k < 3; k++)
+			for (int d = 0; d < 3; d++) {
+				double x = mesh->x[t][k][d], end = x + depth * s->normal[d];
+
+				lo[d] = fmin(lo[d], fmin(x, end));
+				hi[d] = fmax(hi[d], fmax(x, end));
+			}
+	return ts_insertion_hash_near(sim, occupied, lo, hi, reach);
+}
+
 static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -274,7 +292,7 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 	enum ts_status status = TS_OK;
 
 	if (s->base.overlapcheck)
-		status = ts_insertion_hash_particles(sim, &search.occupied);
+		status = hash_present(s, sim, &search.occupied);
 	for (size_t k = 0; status == TS_OK && k < list->n; k++) {
 		if (s->base.overlapcheck) {
 			status = place_particle(self, sim, &search, &list->item[k]);
@@ -321,35 +339,55 @@ static void prescribe_body(const struct state *s, const struct tsim *sim, struct
 	ts_rigid_angular_momentum(body->q, body->inertia, body->omega, body->spin);
 }
 
+/* The numbers of a particle, or a body, that begins its way to the face here. */
+static void record_start(struct state *s, const struct tsim *sim, const double x[3], double *memory)
+{
+	struct ts_new_particle free = { 0 };
+	double d[3];
+
+	ts_insertion_draw_velocity(&s->base, &free);
+	ts_scale(1, x, memory + TS_STREAM_PLACE);
+	ts_scale(1, free.v, memory + TS_STREAM_VELOCITY);
+	ts_sub(memory + TS_STREAM_PLACE, s->face->mesh.x[0][0], d);
+	memory[TS_STREAM_START] = (double)s->stream.age;
+	memory[TS_STREAM_DISTANCE] = ts_dot(d, s->normal);
+	memory[TS_STREAM_RELEASE] =
+		(double)s->stream.age + floor(memory[TS_STREAM_DISTANCE] / (s->speed * sim->clock.dt));
+	s->release = (int64_t)fmax((double)s->release, memory[TS_STREAM_RELEASE]);
+}
+
 /* New particles move along the normal to the face, where they get the velocity of the keyword vel. */
+static void start_particle(struct state *s, struct tsim *sim, size_t from, size_t i)
+{
+	struct ts_particles *p = sim->particles;
+	double *memory = ts_stream_record(&s->stream, sim, i);
+	struct ts_body *body = body_of(sim, i);
+
+	for (int k = 0; k < 3; k++)
+		p->v[i][k] = -s->speed * s->normal[k];
+	memory[TS_STREAM_RELEASE] = 0;
+	if (!is_first_of_body(p, from, i))
+		return;
+	record_start(s, sim, body ? body->x : p->x[i], memory);
+	if (body)
+		prescribe_body(s, sim, body, memory, false);
+}
+
+/* Velocities of those of other ranks are drawn, too. */
 static void start_particles(struct ts_instance *self, struct tsim *sim, size_t from)
 {
 	struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
+	double memory[TS_STREAM_WIDTH];
 
-	for (size_t i = from; i < p->n; i++) {
-		double *memory = ts_stream_record(&s->stream, sim, i), d[3];
-		struct ts_body *body = body_of(sim, i);
-		struct ts_new_particle free = { 0 };
+	for (size_t k = 0; k < s->base.spheres; k++) {
+		const struct ts_new_sphere *sphere = &s->base.sphere[k];
 
-		for (int k = 0; k < 3; k++)
-			p->v[i][k] = -s->speed * s->normal[k];
-		memory[TS_STREAM_RELEASE] = 0;
-		s->generation = 0;
-		if (!is_first_of_body(p, from, i))
-			continue;
-		ts_insertion_draw_velocity(&s->base, &free);
-		ts_scale(1, body ? body->x : p->x[i], memory + TS_STREAM_PLACE);
-		ts_scale(1, free.v, memory + TS_STREAM_VELOCITY);
-		ts_sub(memory + TS_STREAM_PLACE, s->face->mesh.x[0][0], d);
-		memory[TS_STREAM_START] = (double)s->stream.age;
-		memory[TS_STREAM_DISTANCE] = ts_dot(d, s->normal);
-		memory[TS_STREAM_RELEASE] = (double)s->stream.age +
-					    floor(memory[TS_STREAM_DISTANCE] / (s->speed * sim->clock.dt));
-		s->release = (int64_t)fmax((double)s->release, memory[TS_STREAM_RELEASE]);
-		if (body)
-			prescribe_body(s, sim, body, memory, false);
+		if (sphere->row >= 0)
+			start_particle(s, sim, from, (size_t)sphere->row);
+		else
+			record_start(s, sim, sphere->x, memory);
 	}
+	s->generation = 0;
 }
 
 static enum ts_status advance_stream(struct ts_instance *self, struct tsim *sim)
@@ -551,7 +589,7 @@ const struct ts_style ts_fix_insert_stream = {
 	.name = "insert/stream",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_STEPS,
-	.due = ts_insertion_due,
+	.due = ts_insertion_whole_due,
 	.summary = "Inserts a stream of particles through a plane face",
 	.purpose =
 		"A feeder: grains fall through a face into the simulation at a given rate. It needs a plane "

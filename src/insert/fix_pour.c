@@ -435,12 +435,34 @@ static enum ts_status place_particles(struct pour *s, struct tsim *sim, double g
 	return TS_OK;
 }
 
+/* Where particles are placed: the region as it has risen. */
+static void find_space(const struct pour *s, double lo[3], double hi[3])
+{
+	ts_scale(1, s->lo, lo);
+	ts_scale(1, s->hi, hi);
+	lo[s->up] += s->risen;
+	hi[s->up] += s->risen;
+	if (s->up == 1)
+		lo[2] = hi[2] = 0;
+}
+
+static double largest_radius(const struct pour *s)
+{
+	double most = 0.5 * s->diameter[s->spread == RANGE], one, share;
+
+	for (int64_t k = 0; s->spread == POLY && k < s->nsizes; k++)
+		if (read_size(s, k, &one, &share))
+			most = fmax(most, 0.5 * one);
+	return most;
+}
+
 static enum ts_status pour_particles(struct ts_instance *self, struct tsim *sim, double g)
 {
 	struct pour *s = self->state;
 	struct ts_new_particles *list = &s->base.list;
 	struct ts_spherehash occupied = { 0 };
 	int64_t left = s->n - s->base.inserted;
+	double lo[3], hi[3];
 	enum ts_status status;
 
 	list->n = 0;
@@ -449,7 +471,8 @@ static enum ts_status pour_particles(struct ts_instance *self, struct tsim *sim,
 	list->n = (size_t)(left < s->each ? left : s->each);
 	for (size_t k = 0; k < list->n; k++)
 		list->item[k] = (struct ts_new_particle){ .placed = false };
-	status = ts_insertion_hash_particles(sim, &occupied);
+	find_space(s, lo, hi);
+	status = ts_insertion_hash_near(sim, &occupied, lo, hi, largest_radius(s));
 	if (status == TS_OK)
 		status = place_particles(s, sim, g, &occupied);
 	ts_spherehash_release(&occupied);
@@ -579,7 +602,7 @@ const struct ts_style ts_fix_pour = {
 	.name = "pour",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_STEPS,
-	.due = ts_insertion_due,
+	.due = ts_insertion_whole_due,
 	.summary = "Pours particles into a region, as in LAMMPS",
 	.doc = doc,
 	.example = "fix rain all pour 3000 1 300719 region slab vol 0.13 50 diam range 0.004 0.006 dens 2500 "

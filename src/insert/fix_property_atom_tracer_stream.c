@@ -171,6 +171,12 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* Which particles of an insertion are marked depends on all of them. */
+static bool stream_inserts(const struct ts_instance *self, const struct tsim *sim)
+{
+	return ts_insertion_due(((const struct state *)self->state)->stream, sim);
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
@@ -218,7 +224,8 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer_stream)
 const struct ts_style ts_fix_property_atom_tracer_stream = {
 	.name = "property/atom/tracer/stream",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_STEPS,
+	.due = stream_inserts,
 	.summary = "Marks particles that pass the face of a fix insert/stream",
 	.doc = "Marks the first n_tracer particles of the group that pass the face of fix insert/stream in "
 	       "the step mark_step or later; with `every E` n_tracer more from the step mark_step + E on, "

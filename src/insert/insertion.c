@@ -258,6 +258,7 @@ enum ts_status ts_insertion_archive(struct ts_instance *self, struct tsim *sim, 
 void ts_insertion_fini(struct ts_instance *self)
 {
 	ts_free(((struct ts_insertion *)self->state)->list.item);
+	ts_free(((struct ts_insertion *)self->state)->sphere);
 }
 
 /* ---- schedule and random motion */
@@ -268,6 +269,22 @@ bool ts_insertion_due(const struct ts_instance *self, const struct tsim *sim)
 
 	(void)sim;
 	return s->due || s->wait == 1;
+}
+
+/* Members of bodies are copies, in whose place new particles come. */
+bool ts_insertion_divides(const struct ts_insertion *s, const struct tsim *sim)
+{
+	const struct ts_distribution *d = s->distribution ? s->distribution->state : NULL;
+	bool rigid = sim->particles->body != NULL;
+
+	for (int64_t k = 0; d && k < d->n; k++)
+		rigid |= ((const struct ts_template *)d->template[k] -> state)->rigid;
+	return !rigid;
+}
+
+bool ts_insertion_whole_due(const struct ts_instance *self, const struct tsim *sim)
+{
+	return ts_insertion_due(self, sim) && !ts_insertion_divides(self->state, sim);
 }
 
 enum ts_status ts_insertion_check(struct ts_instance *self, struct tsim *sim)

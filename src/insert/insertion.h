@@ -13,6 +13,12 @@ struct ts_insertion_velocity {
 	double mean[3], fluctuation[3]; /* fluctuation: largest or standard deviation */
 };
 
+/* A sphere of a particle, or of a clump, that is made. */
+struct ts_new_sphere {
+	double x[3], radius;
+	int32_t row; /* its local index; -1: it belongs to another rank */
+};
+
 /* First member of the state of every fix insert/... */
 struct ts_insertion {
 	struct ts_prospect own; /* of fixes without templates */
@@ -31,7 +37,10 @@ struct ts_insertion {
 	double q[4];		      /* else the orientation, a quaternion */
 	double property;	      /* value of set_property */
 	struct ts_new_particles list; /* of this insertion */
-	bool warned, due;	      /* due: particles are inserted in this step */
+	struct ts_new_sphere
+		*sphere; /* [spheres], in the order of their identities: set by ts_insertion_make */
+	size_t spheres, sphere_capacity;
+	bool warned, due; /* due: particles are inserted in this step */
 
 	/* saved */
 	struct ts_minstd random;
@@ -93,10 +102,15 @@ void ts_insertion_fini(struct ts_instance *self);
 
 /* Slot `due`: whether particles are inserted in the step that begins. */
 bool ts_insertion_due(const struct ts_instance *self, const struct tsim *sim);
+/* With several ranks: whether each of them can make its own of the new particles, while the particles are divided. All draw the
+ * same random numbers and find the same places; they need those of other ranks that are near. */
+bool ts_insertion_divides(const struct ts_insertion *s, const struct tsim *sim);
+/* Slot `due` of fixes that can do so: whether particles are inserted and all ranks do the step with all particles. */
+bool ts_insertion_whole_due(const struct ts_instance *self, const struct tsim *sim);
 /* Hook for CHECK: requests a rebuild of the contact list if an insertion is due. */
 enum ts_status ts_insertion_check(struct ts_instance *self, struct tsim *sim);
-/* In PRE_EXCHANGE, after particles have been drawn and placed in the list: creates them and writes to the
- * log. *from: local index of the first one. */
+/* In PRE_EXCHANGE, after particles have been drawn and placed in the list: creates those of this rank and writes to the log.
+ * *from: local index of the first one. */
 enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, size_t *from);
 /* Schedules the next insertion, after `every` steps if that is not 0. */
 void ts_insertion_next(struct ts_instance *self);
@@ -107,14 +121,19 @@ void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_new_particl
 
 /* Number of spheres of a new particle, or of a new clump. */
 size_t ts_insertion_spheres(const struct ts_new_particle *one);
+/* Computes the position of sphere k and returns its radius. */
+double ts_insertion_sphere(const struct ts_new_particle *one, size_t k, double x[3]);
+/* Distance that sphere k reaches from the place of the particle, in any orientation; the largest one of all in the list. */
+double ts_insertion_sphere_reach(const struct ts_new_particle *one, size_t k);
+double ts_insertion_reach(const struct ts_new_particles *list);
 /* Mass of a new particle, or of a new clump. */
 double ts_insertion_mass(const struct tsim *sim, const struct ts_new_particle *one);
 
-/* Adds all present particles to the hash, or those that reach within `reach` of a point; tests whether a new particle overlaps those in the hash; adds
- * the new particle to it. */
-enum ts_status ts_insertion_hash_particles(struct tsim *sim, struct ts_spherehash *occupied);
-enum ts_status ts_insertion_hash_near(struct tsim *sim, struct ts_spherehash *occupied, const double x[3],
-				      double reach);
+/* Adds to the hash the present particles, of all ranks, that a new one may overlap which is placed between lo and hi, or at one of
+ * the periodic images of these places, and reaches no farther than `reach`; tests whether a new particle overlaps those in the hash;
+ * adds the new particle to it. */
+enum ts_status ts_insertion_hash_near(struct tsim *sim, struct ts_spherehash *occupied, const double lo[3],
+				      const double hi[3], double reach);
 bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *occupied,
 			   const struct ts_new_particle *one);
 enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occupied,

@@ -1,14 +1,15 @@
-/* New particles of the fixes that insert: positions of their spheres, overlap with others, creation. */
+/* New particles of the fixes that insert: positions of their spheres, creation. */
 #include "insert/insertion.h"
 
 #include <inttypes.h>
 
-#include "box/domain.h"
+#include "core/ranks.h"
 #include "math/constants.h"
 #include "math/quaternion.h"
 #include "math/rigid_turn.h"
 #include "math/vec3.h"
 #include "particle/columns.h"
+#include "particle/division.h"
 #include "particle/particles.h"
 #include "particle/quantity.h"
 #include "particle/sphere_shape.h"
@@ -30,8 +31,7 @@ size_t ts_insertion_spheres(const struct ts_new_particle *one)
 	return clump_of(one) ? clump_of(one)->n : 1;
 }
 
-/* Computes the position of sphere k and returns its radius. */
-static double sphere_position(const struct ts_new_particle *one, size_t k, double x[3])
+double ts_insertion_sphere(const struct ts_new_particle *one, size_t k, double x[3])
 {
 	const struct ts_template *t = template_of(one);
 	double m[3][3], d[3], arm[3];
@@ -46,68 +46,13 @@ static double sphere_position(const struct ts_new_particle *one, size_t k, doubl
 	return t->clump->sphere[k].radius;
 }
 
-enum ts_status ts_insertion_hash_particles(struct tsim *sim, struct ts_spherehash *occupied)
+double ts_insertion_sphere_reach(const struct ts_new_particle *one, size_t k)
 {
-	const struct ts_particles *p = sim->particles;
+	const struct ts_template *t = template_of(one);
 
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_spherehash_add(occupied, p->x[i], p->radius[i]) != TS_OK)
-			return ts_nomem(&sim->error);
-	return TS_OK;
-}
-
-/* Square of the distance to the nearest periodic image. */
-static double image_distance2(const struct ts_box *box, const double a[3], const double b[3])
-{
-	double sum = 0;
-
-	for (int k = 0; k < 3; k++) {
-		double d = a[k] - b[k];
-
-		if (ts_box_periodic(box, k))
-			d -= ts_box_length(box, k) * round(d / ts_box_length(box, k));
-		sum += d * d;
-	}
-	return sum;
-}
-
-enum ts_status ts_insertion_hash_near(struct tsim *sim, struct ts_spherehash *occupied, const double x[3],
-				      double reach)
-{
-	const struct ts_particles *p = sim->particles;
-
-	for (size_t i = 0; i < p->n; i++) {
-		double most = reach + p->radius[i];
-
-		if (image_distance2(&sim->domain->box, p->x[i], x) <= most * most &&
-		    ts_spherehash_add(occupied, p->x[i], p->radius[i]) != TS_OK)
-			return ts_nomem(&sim->error);
-	}
-	return TS_OK;
-}
-
-bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *occupied,
-			   const struct ts_new_particle *one)
-{
-	for (size_t k = 0; k < ts_insertion_spheres(one); k++) {
-		double x[3], radius = sphere_position(one, k, x);
-
-		if (ts_spherehash_overlaps_periodic(occupied, &sim->domain->box, x, radius))
-			return true;
-	}
-	return false;
-}
-
-enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occupied,
-				     const struct ts_new_particle *one)
-{
-	for (size_t k = 0; k < ts_insertion_spheres(one); k++) {
-		double x[3], radius = sphere_position(one, k, x);
-
-		if (ts_spherehash_add(occupied, x, radius) != TS_OK)
-			return ts_nomem(&sim->error);
-	}
-	return TS_OK;
+	if (!clump_of(one))
+		return one->radius;
+	return sqrt(ts_distance2(t->clump->sphere[k].x, t->origin)) + t->clump->sphere[k].radius;
 }
 
 /* density * volume, with the order of operations and the value of pi of LIGGGHTS, so that masses are
@@ -127,16 +72,18 @@ double ts_insertion_mass(const struct tsim *sim, const struct ts_new_particle *o
 }
 
 static void set_sphere(struct ts_instance *self, struct tsim *sim, const struct ts_new_particle *one,
-		       size_t k, size_t i)
+		       const struct ts_new_sphere *sphere)
 {
 	struct ts_particles *p = sim->particles;
+	const size_t i = (size_t)sphere->row;
 
 	p->type[i] = one->type;
 	p->mask[i] |= one->mask | 1u << self->group;
-	p->radius[i] = sphere_position(one, k, p->x[i]);
-	p->mass[i] = sphere_mass(sim, one, p->radius[i]);
+	p->radius[i] = sphere->radius;
+	p->mass[i] = sphere_mass(sim, one, sphere->radius);
 	p->imass[i] = 1 / p->mass[i];
 	for (int d = 0; d < 3; d++) {
+		p->x[i][d] = sphere->x[d];
 		p->v[i][d] = one->v[d];
 		if (p->omega)
 			p->omega[i][d] = one->omega[d];
@@ -189,17 +136,66 @@ static enum ts_status create_body(struct ts_instance *self, struct tsim *sim,
 	return status;
 }
 
+/* The spheres of all particles that found a place, in the order of their identities. */
+static enum ts_status list_spheres(struct ts_insertion *s, struct tsim *sim)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < s->list.n; k++)
+		n += s->list.item[k].placed ? ts_insertion_spheres(&s->list.item[k]) : 0;
+	if (TS_GROW(s->sphere, s->sphere_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->spheres = 0;
+	for (size_t k = 0; k < s->list.n; k++) {
+		const struct ts_new_particle *one = &s->list.item[k];
+
+		for (size_t m = 0; one->placed && m < ts_insertion_spheres(one); m++) {
+			struct ts_new_sphere *sphere = &s->sphere[s->spheres++];
+
+			sphere->radius = ts_insertion_sphere(one, m, sphere->x);
+		}
+	}
+	return TS_OK;
+}
+
+/* Adds rows for the spheres of this rank. */
+static enum ts_status add_rows(struct ts_insertion *s, struct tsim *sim, size_t *from)
+{
+	struct ts_particles *p = sim->particles;
+	size_t own = 0;
+
+	for (size_t k = 0; k < s->spheres; k++) {
+		bool is = !sim->division || ts_division_owns(sim, s->sphere[k].x);
+
+		s->sphere[k].row = is ? (int32_t)own : -1;
+		own += is;
+	}
+	TS_TRY(ts_division_begin_new(sim));
+	TS_TRY(ts_particles_add_some(sim, own, s->spheres, from));
+	for (size_t k = 0; k < s->spheres; k++) {
+		if (s->sphere[k].row < 0)
+			continue;
+		s->sphere[k].row += (int32_t)*from;
+		p->tag[s->sphere[k].row] = p->max_tag - (int32_t)(s->spheres - 1 - k);
+	}
+	ts_division_end_new(sim, s->spheres);
+	return TS_OK;
+}
+
+/* `first`: number of its first sphere. */
 static enum ts_status create_particle(struct ts_instance *self, struct tsim *sim,
-				      const struct ts_new_particle *one, size_t from)
+				      const struct ts_new_particle *one, size_t first)
 {
 	const struct ts_template *t = template_of(one);
 	struct ts_insertion *s = self->state;
+	const struct ts_new_sphere *sphere = s->sphere + first;
 
 	for (size_t k = 0; k < ts_insertion_spheres(one); k++)
-		set_sphere(self, sim, one, k, from + k);
+		if (sphere[k].row >= 0)
+			set_sphere(self, sim, one, &sphere[k]);
 	s->mass += ts_insertion_mass(sim, one);
 	s->inserted++;
-	return t && t->rigid ? create_body(self, sim, one, from, t->clump->n) : TS_OK;
+	return t && t->rigid ? create_body(self, sim, one, (size_t)sphere->row, t->clump->n) : TS_OK;
 }
 
 static enum ts_status set_property(struct ts_instance *self, struct tsim *sim, size_t from)
@@ -234,30 +230,29 @@ static void print_insertion(struct ts_instance *self, struct tsim *sim, size_t m
 	if (made >= s->list.n || s->warned)
 		return;
 	s->warned = true;
-	ts_warn(&sim->log, &self->where,
-		"fix %s %s: less insertions than requested: %zu of %zu particles found a place at step "
-		"%" PRId64 " with %" PRId64
-		" tries each on average; raise maxattempt, ask for less, or give them more room (said once)",
-		self->style->name, self->id, made, s->list.n, sim->clock.step, s->maxattempt);
+	if (ts_ranks_first(sim))
+		ts_warn(&sim->log, &self->where,
+			"fix %s %s: less insertions than requested: %zu of %zu particles found a place at "
+			"step "
+			"%" PRId64 " with %" PRId64 " tries each on average; raise maxattempt, ask for less, "
+			"or give them more room (said once)",
+			self->style->name, self->id, made, s->list.n, sim->clock.step, s->maxattempt);
 }
 
 enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, size_t *from)
 {
 	struct ts_insertion *s = self->state;
 	double before = s->mass;
-	size_t made = 0, spheres = 0, row;
+	size_t made = 0, first = 0;
 
-	for (size_t k = 0; k < s->list.n; k++) {
-		made += s->list.item[k].placed;
-		spheres += s->list.item[k].placed ? ts_insertion_spheres(&s->list.item[k]) : 0;
-	}
-	TS_TRY(ts_particles_add(sim, spheres, from));
-	row = *from;
+	TS_TRY(list_spheres(s, sim));
+	TS_TRY(add_rows(s, sim, from));
 	for (size_t k = 0; k < s->list.n; k++) {
 		if (!s->list.item[k].placed)
 			continue;
-		TS_TRY(create_particle(self, sim, &s->list.item[k], row));
-		row += ts_insertion_spheres(&s->list.item[k]);
+		TS_TRY(create_particle(self, sim, &s->list.item[k], first));
+		first += ts_insertion_spheres(&s->list.item[k]);
+		made++;
 	}
 	TS_TRY(set_property(self, sim, *from));
 	if (s->list.n)

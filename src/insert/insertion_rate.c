@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "core/ranks.h"
+
 #include "base/banned.h"
 
 /* A number such as 1e5 as well, or with a fraction, of which the whole part is taken, as in LIGGGHTS. */
@@ -88,11 +90,13 @@ int64_t ts_insertion_rate_count(struct ts_instance *self, struct tsim *sim, stru
 
 	if (n == 0 && !s->warned) {
 		s->warned = true;
-		ts_warn(&sim->log, &self->where,
-			"fix %s %s: no particle is due in the event of step %lld, for the rate gives %g in "
-			"%lld steps; a larger interval draws less often (said once)",
-			self->style->name, self->id, (long long)sim->clock.step, per_event(s, sim, rate),
-			(long long)s->every);
+		if (ts_ranks_first(sim))
+			ts_warn(&sim->log, &self->where,
+				"fix %s %s: no particle is due in the event of step %lld, for the rate gives "
+				"%g in "
+				"%lld steps; a larger interval draws less often (said once)",
+				self->style->name, self->id, (long long)sim->clock.step,
+				per_event(s, sim, rate), (long long)s->every);
 	}
 	return n < (double)left ? (int64_t)n : left;
 }

@@ -6,6 +6,7 @@
 #include "insert/insertion_meshes.h"
 #include "math/exactsum.h"
 #include "particle/particles.h"
+#include "particle/rank_sums.h"
 #include "particle/sphere_shape.h"
 
 #include "base/banned.h"
@@ -139,7 +140,8 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 {
 	struct ts_insertion_region *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	struct ts_exactsum mass = ts_exactsum_start(), volume = ts_exactsum_start();
+	enum { MASS, VOLUME };
+	struct ts_exactsum sum[] = { ts_exactsum_start(), ts_exactsum_start() };
 
 	TS_TRY(ts_region_update(s->region, sim));
 	*out = (struct ts_region_content){ .room = s->volume };
@@ -147,11 +149,13 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 		if (!ts_region_contains(s->region, p->x[i]))
 			continue;
 		out->number++;
-		ts_exactsum_add(&mass, p->mass[i]);
-		ts_exactsum_add(&volume, ts_particle_volume(sim, p->radius[i]));
+		ts_exactsum_add(&sum[MASS], p->mass[i]);
+		ts_exactsum_add(&sum[VOLUME], ts_particle_volume(sim, p->radius[i]));
 	}
-	out->mass = ts_exactsum_value(&mass);
-	out->volume = ts_exactsum_value(&volume);
+	ts_rank_sums_count(sim, &out->number);
+	ts_rank_sums_merge(sim, sum, 2);
+	out->mass = ts_exactsum_value(&sum[MASS]);
+	out->volume = ts_exactsum_value(&sum[VOLUME]);
 	/* as in LIGGGHTS, the new volume is used from the next insertion on */
 	return is_shrink_wrapped(&sim->domain->box) ? estimate_volume(self, sim) : TS_OK;
 }
@@ -265,7 +269,8 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 		search.hi[d] = fmin(search.hi[d], search.box->hi[d]);
 	}
 	if (s->base.overlapcheck)
-		status = ts_insertion_hash_particles(sim, &search.occupied);
+		status = ts_insertion_hash_near(sim, &search.occupied, search.lo, search.hi,
+						ts_insertion_reach(&s->base.list));
 	if (status == TS_OK && s->avoid.n)
 		status = ts_insertion_meshes_start(&search.meshes, sim, &s->avoid);
 	for (size_t k = 0; status == TS_OK && k < s->base.list.n; k++)

@@ -192,12 +192,12 @@ enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct ts
 	return status;
 }
 
-enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
+enum ts_status ts_particles_add_some(struct tsim *sim, size_t n, size_t all, size_t *first)
 {
 	struct ts_particles *p = sim->particles;
 
 	p->nghost = 0;
-	if (n > (size_t)(INT32_MAX - p->max_tag))
+	if (all > (size_t)(INT32_MAX - p->max_tag))
 		return ts_fail(&sim->error, TS_RANGE, NULL, "too many particles");
 	TS_TRY(ts_particles_reserve(sim, p->n + n));
 	for (size_t k = 0; k < p->ncolumns && n; k++)
@@ -208,16 +208,26 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 		ts_particles_fill_initial(&p->column[k], p->n, p->n + n);
 	*first = p->n;
 	for (size_t i = p->n; i < p->n + n; i++) {
-		p->tag[i] = ++p->max_tag;
 		p->type[i] = 1;
 		p->mask[i] = 1;
 		p->radius[i] = 0.5;
 		p->mass[i] = ts_particle_volume(sim, 0.5);
 	}
 	p->n += n;
+	p->max_tag += (int32_t)all;
 	if (sim->run.inside) /* inserted during a run: the fix has checked overlaps */
 		p->max_run_tag = p->max_tag;
 	sim->generation++;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
+{
+	struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_particles_add_some(sim, n, n, first));
+	for (size_t k = 0; k < n; k++)
+		p->tag[*first + k] = p->max_tag - (int32_t)(n - 1 - k);
 	return TS_OK;
 }
 

@@ -9,6 +9,9 @@
  * index of the first new one. They are in group all with v = 0, radius 0.5 and the mass of density 1; all
  * other numbers are 0 or the column's initial value. The caller sets what differs. */
 enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first);
+/* The same for n of `all` new ones, which other ranks make too: the caller gives these n rows their identities, of those from
+ * max_tag - all + 1 to max_tag, which are used up. */
+enum ts_status ts_particles_add_some(struct tsim *sim, size_t n, size_t all, size_t *first);
 /* Deletes the local particles with flag[i] != 0 and drops the ghosts; the order of the others is kept. */
 enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag);
 /* Reorders the local particles and drops the ghosts: new index k is the old index order[k]. */

@@ -69,17 +69,45 @@ void ts_division_free(struct ts_division *d)
 	ts_free(d);
 }
 
-enum ts_status ts_division_let_go(struct tsim *sim)
+/* Once in a rebuild. */
+static enum ts_status exchange_turning(struct tsim *sim)
 {
 	const struct ts_box *box = &sim->domain->box;
+	struct ts_division *d = sim->division;
 
-	if (!sim->division || sim->division->reread.all)
+	if (d->turned_before ||
+	    !(ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2)))
+		return TS_OK;
+	d->turned_before = true;
+	return ts_turning_exchange(sim);
+}
+
+/* While there are copies, in whose place the new particles come. */
+enum ts_status ts_division_begin_new(struct tsim *sim)
+{
+	return sim->division ? exchange_turning(sim) : TS_OK;
+}
+
+void ts_division_end_new(struct tsim *sim, size_t n)
+{
+	enum { MANY = 20 }; /* of a part of the particles of a rank */
+	struct ts_division *d = sim->division;
+
+	if (d && n > d->cut_most / MANY)
+		sim->run.uneven |= ts_division_is_uneven(sim, d);
+}
+
+enum ts_status ts_division_let_go(struct tsim *sim)
+{
+	struct ts_division *d = sim->division;
+
+	if (!d || d->reread.all)
 		return TS_OK;
 	if (sim->run.uneven)
-		TS_TRY(ts_division_cut_again(sim, sim->division));
-	if (!(ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2)))
-		return TS_OK;
-	return ts_turning_exchange(sim);
+		TS_TRY(ts_division_cut_again(sim, d));
+	TS_TRY(exchange_turning(sim));
+	d->turned_before = false;
+	return TS_OK;
 }
 
 /* ---- migration */

@@ -34,8 +34,9 @@ struct ts_division {
 	size_t ncarried, carried_capacity;
 	struct ts_carried *turned; /* [nturned], by live style with a carrier: particle/turning.h */
 	size_t nturned, turned_capacity;
-	bool unjoined;	 /* at rest behind a run whose sums are of each rank alone: slot `join` of styles */
-	bool rebuilding; /* lists are made again for other particles: it is no rebuild of the run */
+	bool unjoined; /* at rest behind a run whose sums are of each rank alone: slot `join` of styles */
+	bool turned_before;  /* rows that depend on periodic faces have been exchanged for this rebuild */
+	bool rebuilding;     /* lists are made again for other particles: it is no rebuild of the run */
 	struct ts_str said;  /* warnings of this rank, which the first one is to print */
 	int64_t built, made; /* how often copies were made, and how many */
 	int64_t moved;	     /* particles that have come from other ranks */
@@ -95,6 +96,9 @@ const char *ts_division_undivided(const struct tsim *sim);
 bool ts_division_whole_step(const struct tsim *sim, bool set_up);
 void ts_division_free(struct ts_division *division);
 
+/* In PRE_EXCHANGE, before and after each rank adds its own of n new particles. */
+enum ts_status ts_division_begin_new(struct tsim *sim);
+void ts_division_end_new(struct tsim *sim, size_t n);
 /* In EXCHANGE, before particles are wrapped or deleted: exchanges rows that depend on periodic faces. */
 enum ts_status ts_division_let_go(struct tsim *sim);
 /* After that: moves particles and their rows to the ranks of their new positions. */

@@ -152,6 +152,7 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 static enum ts_status insert(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	const struct ts_box *box = &sim->domain->box;
 	struct ts_spherehash occupied = { .nlevels = 0 };
 	struct ts_gap_room room;
 	enum ts_status status = TS_OK;
@@ -161,7 +162,8 @@ static enum ts_status insert(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(find_number(self, sim, &room, &n));
 	TS_TRY(ts_distribution_draw(s->base.distribution, sim, n, true, &s->base.list));
 	if (s->base.overlapcheck)
-		status = ts_insertion_hash_particles(sim, &occupied);
+		status = ts_insertion_hash_near(sim, &occupied, box->lo, box->hi,
+						ts_insertion_reach(&s->base.list));
 	if (status == TS_OK)
 		status = place_particles(self, sim, &room, &occupied);
 	ts_spherehash_release(&occupied);

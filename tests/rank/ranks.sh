@@ -16,15 +16,19 @@ ranks() {
 	on_ranks "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 
-played='crossing gas bed outlet pushed burst looks named'
-for scene in $played; do cp "$scenes/in.$scene" .; done
+played='crossing gas bed outlet pushed burst looks named feed rain'
+for scene in ${played% rain}; do cp "$scenes/in.$scene" .; done
+# The gas of in.gas, and more grains in every other step.
+sed '/^compute pr/d; s/ c_pr\[1\]//; s/press .*//; s/10 5 100/100 1 100/; s/custom 350/custom 50/; s/^run .*/run 150/
+	s/^fix 1 .*/&\nfix one all particletemplate\/sphere 15485863 atom_type 2 density constant 2500 radius constant 0.0003 volume_limit 0\nfix mix all particledistribution\/discrete 32452843 1 one 1\nregion all block EDGE EDGE EDGE EDGE EDGE EDGE units box\nfix rain all insert\/rate\/region seed 32452867 distributiontemplate mix nparticles INF particlerate 2e5 insert_every 2 region all verbose no check_dist_from_subdomain_border no ntry_mc 1000/' \
+	in.gas >in.rain
 # shellcheck disable=SC2086
 same_scenes 2 $played
 for scene in $played; do
 	[ -s "alone/$scene/x.rows" ] && [ -s "alone/$scene/x.dump" ] && [ -s "alone/$scene/x.mean" ]
 	report "$scene has a table, a dump and averages" $?
 done
-[ -d ranks.2 ] || in_turn 2 ranks.2 looks named burst # other numbers were asked for
+[ -d ranks.2 ] || in_turn 2 ranks.2 looks named burst feed rain # other numbers were asked for
 # Outputs of in.looks read particles only, and checks of the time step need none of other ranks: contacts are gathered for the
 # end of the run.
 gathered() { awk '/all gathered/ { sub(/.*all gathered /, ""); print $1, $3 }' "$1"; }
@@ -33,6 +37,9 @@ report 'contacts are gathered at the end, where outputs do not read them' $? ran
 # Those of in.named do in 19 steps: in multiples of 60, 90, 100, 150 and 210.
 gathered ranks.2/named/log | awk '{ exit !($1 > 300 && $2 == 19) }'
 report 'contacts are gathered where an output that is due reads them' $? ranks.2/named/log
+# Particles are inserted while they are divided: only outputs of the first run of in.feed, each 20 or 60 steps, and of in.rain need all.
+gathered ranks.2/feed/log | awk 'NR == 1 { exit !($1 <= 14) }' && gathered ranks.2/rain/log | awk '{ exit !($1 <= 4) }'
+report 'nothing is gathered to insert particles' $? ranks.2/feed/log
 # The cloud of in.burst leaves the block of one rank: the box is cut again while the particles are divided.
 awk '/imbalance/ { most = $NF } / all gathered / { sub(/.*all gathered /, ""); listed = $3 } END { exit !(most < 1.4 && listed <= 1) }' ranks.2/burst/log
 report 'uneven blocks are cut again' $? ranks.2/burst/log
@@ -320,6 +327,19 @@ for n in 2 4; do
 	ranks $n -in in.fast -log none -var out many
 	grep -q 'particle 1 .* past particle 2:' alone.out && [ "$(grep 'error:' out)" = "$(grep 'error:' alone.out)" ]
 	report "a fast particle that meets one of another rank, on $n ranks" $? out
+done
+# A jet of which several particles have met a wall before they are inserted: the same one is told.
+printf '%s\n' 'units si' 'atom_style sphere' 'boundary f f f' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' \
+	'pair_style gran/hertz/history 2e6 NULL 50.0 NULL 0.5 1' 'pair_coeff * *' 'fix move all nve/sphere' \
+	'fix one all particletemplate/sphere 15485863 density constant 2500 radius gaussian number 0.01 0.003' \
+	'fix mix all particledistribution/discrete 32452843 1 one 1' 'fix floor all wall/gran hertz/history 2e6 NULL 50.0 NULL 0.5 1 zplane 0.4 NULL' \
+	'fix jet all insert/jet seed 49979687 distributiontemplate mix position 0.3 0.5 0.7 direction 1 0 -1 diameter 0.3 speed constant 60 particlerate 3000 nparticles 1000 insert_every 9' \
+	'timestep 1e-3' 'run 50' >in.met
+"$TSIM" -in in.met -log none >alone.out 2>&1
+for n in 2 3; do
+	ranks $n -in in.met -log none
+	grep -q 'insert/jet jet: particle [0-9]* has left the nozzle' alone.out && [ "$(grep 'error:' out)" = "$(grep 'error:' alone.out)" ]
+	report "a particle that has met a wall on its way, on $n ranks" $? out
 done
 printf 'print "read $(2*21)"\n' | on_ranks 3 "$TSIM" -log none >out 2>&1
 [ "$(grep -c 'read 42' out)" = 1 ]
