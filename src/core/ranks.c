@@ -328,12 +328,11 @@ bool ts_ranks_step_due(const struct tsim *sim)
 
 void ts_ranks_agree(struct tsim *sim)
 {
-	double flag[6] = {
-		sim->run.rebuild, sim->world->stop,  sim->world->save,
-		sim->run.relist,  sim->run.runaways, ts_ranks_first(sim) && ts_sim_time_is_up(sim)
-	};
+	double flag[] = { sim->run.rebuild, sim->world->stop,  sim->world->save,
+			  sim->run.relist,  sim->run.runaways, ts_ranks_first(sim) && ts_sim_time_is_up(sim),
+			  sim->run.seeks };
 
-	ts_world_most(sim->world, flag, 6);
+	ts_world_most(sim->world, flag, sizeof flag / sizeof *flag);
 	sim->run.rebuild = flag[0] > 0;
 	sim->run.relist = flag[3] > 0;
 	sim->run.runaways = flag[4] > 0;
@@ -343,4 +342,7 @@ void ts_ranks_agree(struct tsim *sim)
 	if (flag[2] > 0)
 		sim->requests.save = 1;
 	sim->world->stop = sim->world->save = 0;
+	if (sim->division && flag[6] > 0)
+		sim->run.rebuild |= sim->tables->search_left(sim);
+	sim->run.seeks = false;
 }

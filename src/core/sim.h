@@ -136,6 +136,7 @@ struct ts_run_state {
 	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
 	bool relist;	     /* the contact list alone is to be rebuilt: no particle is deleted */
 	bool runaways;	     /* a particle has moved by more than its radius in this step */
+	bool seeks;  /* while the particles are divided: one has moved so far that it may have left the box */
 	bool looks;  /* all ranks have all particles for outputs, but each has lists of its own only */
 	bool pauses; /* the script is the whole program: core/ranks_pause.h */
 	bool made; /* each rank has its own of the particles that commands have made; nothing has been computed */

@@ -24,6 +24,8 @@ struct ts_tables {
 	 * nothing else without the lists of pairs and contacts. */
 	enum ts_status (*divide)(struct ts_plan *plan, struct tsim *sim);
 	enum ts_status (*gather)(struct ts_plan *plan, struct tsim *sim, bool lists);
+	/* While they are divided, all ranks call it: whether particles have left the box, so that the list is made again. */
+	bool (*search_left)(struct tsim *sim);
 	/* Particles stay divided behind a run, until the next one begins. */
 	enum ts_status (*rest)(struct tsim *sim, bool begins);
 };

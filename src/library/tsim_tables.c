@@ -11,6 +11,7 @@
 #include "insert/stream.h"
 #include "integrate/integrators.h"
 #include "limits/limits_system.h"
+#include "neigh/leaving.h"
 #include "neigh/neigh.h"
 #include "particle/division.h"
 #include "particle/particles.h"
@@ -50,6 +51,7 @@ const struct ts_tables ts_tables = {
 	.judge = ts_plan_judge,
 	.judge_own = ts_plan_judge_own,
 	.keep_own = ts_division_keep_own,
+	.search_left = ts_leaving_search,
 	.divide = ts_division_divide,
 	.gather = ts_division_gather,
 	.rest = ts_division_rest,

@@ -52,20 +52,28 @@ void ts_drift_frame_speeds(const struct tsim *sim, struct ts_drift_frame_speeds 
 {
 	const struct ts_particles *p = sim->particles;
 	struct speeds_task t = { .p = p, .centre = out->centre };
-	double lo[3], hi[3]; /* of the velocities */
+	double lo[3], hi[3], range[6], most[2]; /* of the velocities; -lo and hi; squares of the speeds */
 	int team = ts_team(sim, p->n);
 
 	*out = (struct ts_drift_frame_speeds){ .most = 0 };
 	ts_bounds(team, p->n, (const double(*)[3])p->v, lo, hi);
 	for (int d = 0; d < 3; d++) {
-		lo[d] = -ts_ranks_most(sim, -lo[d]);
-		hi[d] = ts_ranks_most(sim, hi[d]);
+		range[d] = -lo[d];
+		range[3 + d] = hi[d];
+	}
+	ts_ranks_most_of(sim, range, 6);
+	for (int d = 0; d < 3; d++) {
+		lo[d] = -range[d];
+		hi[d] = range[3 + d];
 		/* not so if there are no particles, or speeds overflow */
 		out->centre[d] = isfinite(lo[d] + hi[d]) ? 0.5 * (lo[d] + hi[d]) : 0;
 	}
 	ts_parallel(team, p->n, speeds_share, &t);
-	out->most = sqrt(ts_ranks_most(sim, t.most2));
-	out->most_relative = sqrt(ts_ranks_most(sim, t.most_relative2));
+	most[0] = t.most2;
+	most[1] = t.most_relative2;
+	ts_ranks_most_of(sim, most, 2);
+	out->most = sqrt(most[0]);
+	out->most_relative = sqrt(most[1]);
 }
 
 /* At most this part of the speed remains. */

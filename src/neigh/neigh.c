@@ -135,8 +135,8 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	ts_contact_list_locate_locals(sim, &sim->neigh->contacts);
 	ts_leaving_watch(sim, &moved);
 	ts_deferred_loops_run(sim);
-	moved = nb->leaving_watched ? (long)ts_ranks_most(sim, (double)moved) : moved;
-	sim->run.rebuild |= moved && ts_leaving_search(sim);
+	sim->run.seeks = moved && sim->division; /* in the same step on all ranks: ts_ranks_agree */
+	sim->run.rebuild |= moved && !sim->division && ts_leaving_search(sim);
 	if (!beyond)
 		return TS_OK;
 	sim->run.relist = nb->leaving_watched;

@@ -30,8 +30,10 @@ void ts_neigh_radii(const struct tsim *sim, double *least, double *most)
 	double bounds[2];
 
 	bound_radii(sim->particles->radius, sim->particles->n, bounds);
-	*least = -ts_ranks_most(sim, -bounds[0]);
-	*most = ts_ranks_most(sim, bounds[1]);
+	bounds[0] = -bounds[0];
+	ts_ranks_most_of(sim, bounds, 2);
+	*least = -bounds[0];
+	*most = bounds[1];
 }
 
 double ts_neigh_skin(const struct tsim *sim)

@@ -1,6 +1,7 @@
 #include "rank/blocks.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -8,22 +9,21 @@
 
 #include "base/banned.h"
 
-bool ts_rank_blocks_choose(int n, const int given[3], const double length[3], int dimension, int out[3])
+bool ts_rank_blocks_choose(int n, const int given[3], const double area[3], int dimension, int out[3])
 {
 	double best = INFINITY;
 
 	for (int a = 1; a <= n; a++) {
 		for (int b = 1; n % a == 0 && b <= n / a; b++) {
 			int count[3] = { a, b, n / a / b };
-			double area = (a - 1) * length[1] * length[2] + (b - 1) * length[0] * length[2] +
-				      (count[2] - 1) * length[0] * length[1];
+			double sum = (a - 1) * area[0] + (b - 1) * area[1] + (count[2] - 1) * area[2];
 			bool fits = n / a % b == 0 && (dimension == 3 || count[2] == 1);
 
 			for (int d = 0; d < 3; d++)
 				fits &= (!given[d] || given[d] == count[d]) && count[d] <= TS_BLOCKS_MOST;
-			if (!fits || !(area < best))
+			if (!fits || !(sum < best))
 				continue;
-			best = area;
+			best = sum;
 			for (int d = 0; d < 3; d++)
 				out[d] = count[d];
 		}
@@ -192,6 +192,76 @@ bool ts_rank_points_filled(double (*x)[3], size_t n, size_t few, double length[3
 	}
 	ts_free(key);
 	return key != NULL;
+}
+
+/* The space of the points, divided into cells; by cell which halves of the points it has: bit 2 d + side. */
+struct halves {
+	double lo[3], length[3], middle[3];
+	int cells; /* along each dimension */
+	unsigned char *seen;
+};
+
+static enum ts_status start_halves(double (*x)[3], size_t n, struct halves *h)
+{
+	uint64_t *key = ts_alloc_unset(2 * n + 1, sizeof *key);
+
+	for (int d = 0; key && d < 3; d++) {
+		sort_along(x, n, d, key);
+		h->lo[d] = coordinate(key[0]);
+		h->length[d] = coordinate(key[n - 1]) - h->lo[d];
+		h->middle[d] = coordinate(key[n / 2]);
+	}
+	ts_free(key);
+	h->seen = ts_alloc((size_t)h->cells * (size_t)h->cells * (size_t)h->cells, 1);
+	return key && h->seen ? TS_OK : TS_NOMEM;
+}
+
+static size_t cell_of(const struct halves *h, const double x[3])
+{
+	size_t at = 0;
+
+	for (int d = 2; d >= 0; d--) {
+		double part = h->length[d] > 0 ? (x[d] - h->lo[d]) / h->length[d] : 0;
+
+		at = at * (size_t)h->cells + (size_t)fmin(part * h->cells, h->cells - 1);
+	}
+	return at;
+}
+
+/* number[d][side]: cells with points of this half. */
+static void count_halves(double (*x)[3], size_t n, const struct halves *h, int64_t number[3][2])
+{
+	for (size_t i = 0; i < n; i++) {
+		unsigned char *seen = &h->seen[cell_of(h, x[i])];
+
+		for (int d = 0; d < 3; d++) {
+			int side = x[i][d] >= h->middle[d], bit = 1 << (2 * d + side);
+
+			number[d][side] += !(*seen & bit);
+			*seen = (unsigned char)(*seen | bit);
+		}
+	}
+}
+
+bool ts_rank_points_unlike(double (*x)[3], size_t n, double unlike[3])
+{
+	enum { IN_CELL = 4, FEWEST = 4, MOST = 32 };
+	struct halves h = { .cells = (int)fmin(cbrt((double)n / IN_CELL), MOST) };
+	int64_t number[3][2] = { { 0 } };
+	bool done;
+
+	for (int d = 0; d < 3; d++)
+		unlike[d] = 0;
+	if (h.cells < FEWEST)
+		return true;
+	done = start_halves(x, n, &h) == TS_OK;
+	if (done)
+		count_halves(x, n, &h, number);
+	ts_free(h.seen);
+	for (int d = 0; done && d < 3; d++)
+		unlike[d] = (double)llabs((long long)(number[d][1] - number[d][0])) /
+			    (double)(number[d][0] + number[d][1]);
+	return done;
 }
 
 /* The first point of the upper part, next to point m, if points with the same coordinate, such as a layer of a lattice,

@@ -37,9 +37,9 @@ struct ts_rank_side {
 	bool open[2];
 };
 
-/* The numbers of blocks along each dimension, for n ranks: those given (0: free) with the least area of the cuts
- * through a box of these lengths; false: there are none. In two dimensions one along z. */
-bool ts_rank_blocks_choose(int n, const int given[3], const double length[3], int dimension, int out[3]);
+/* The numbers of blocks along each dimension, for n ranks: those given (0: free) with the least area of the cuts, each of them
+ * area[d] across the dimension d; false: there are none. In two dimensions one along z. */
+bool ts_rank_blocks_choose(int n, const int given[3], const double area[3], int dimension, int out[3]);
 
 /* Cuts the box into equal blocks; false: out of memory. */
 bool ts_rank_blocks_cut(struct ts_rank_blocks *blocks, const int count[3], const double lo[3],
@@ -52,6 +52,9 @@ bool ts_rank_blocks_bisect(struct ts_rank_blocks *blocks, int n, const double lo
 bool ts_rank_blocks_balance(struct ts_rank_blocks *blocks, double (*x)[3], size_t n);
 /* The lengths of the space of n > 0 points without so few at each side; false: out of memory. */
 bool ts_rank_points_filled(double (*x)[3], size_t n, size_t few, double length[3]);
+/* By how much more space the one half of n > 0 points fills than the other one, cut across each dimension: 0, the same, to 1; 0 of
+ * so few that it is not known. False: out of memory. */
+bool ts_rank_points_unlike(double (*x)[3], size_t n, double unlike[3]);
 /* A copy, in place of what `to` was; false: out of memory. */
 bool ts_rank_blocks_copy(struct ts_rank_blocks *to, const struct ts_rank_blocks *from);
 /* The outer faces follow the box. */

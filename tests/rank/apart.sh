@@ -117,8 +117,8 @@ same_on asked 2 3
 	echo "$frame"
 } | sed 's/^boundary.*/boundary f p f/' >in.cut
 size=16 same_on cut 2 4
-sed -n 's/.*blocks, \([0-9]*\) to \([0-9]*\) particles.*/\1 \2/p' many.out | head -1 >uneven
-read -r least most <uneven && [ "$most" -le $((least * 13 / 10)) ]
+sed -n 's/^Ranks: .*imbalance //p' many.out | head -1 >uneven
+awk '{ exit !($1 < 1.3) }' uneven
 report 'blocks are cut again while the particles are divided' $? uneven
 grep -o 'all gathered [0-9]* times' many.out | head -1 >gathered
 grep -q ' 0 times' gathered

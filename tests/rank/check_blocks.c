@@ -11,9 +11,10 @@ enum { POINTS = 2000 };
 
 static void expect_grid(int n, const int given[3], const double length[3], int dimension, int a, int b, int c)
 {
+	const double area[3] = { length[1] * length[2], length[0] * length[2], length[0] * length[1] };
 	int out[3] = { 0 };
 
-	ck_assert(ts_rank_blocks_choose(n, given, length, dimension, out));
+	ck_assert(ts_rank_blocks_choose(n, given, area, dimension, out));
 	ck_assert_int_eq(out[0], a);
 	ck_assert_int_eq(out[1], b);
 	ck_assert_int_eq(out[2], c);
@@ -32,6 +33,27 @@ START_TEST(blocks_have_the_least_area)
 	expect_grid(6, two, rod, 3, 2, 1, 3);
 	expect_grid(6, three, cube, 2, 3, 2, 1);
 	ck_assert(!ts_rank_blocks_choose(7, two, cube, 3, out));
+}
+END_TEST
+
+START_TEST(halves_of_points_fill_space)
+{
+	static double x[POINTS][3];
+	struct ts_rng rng = ts_rng_start(4711, 2);
+	double unlike[3];
+
+	for (int i = 0; i < POINTS; i++)
+		for (int d = 0; d < 3; d++)
+			x[i][d] = (d + 1) * ts_rng_uniform(&rng);
+	ck_assert(ts_rank_points_unlike(x, POINTS, unlike));
+	for (int d = 0; d < 3; d++)
+		ck_assert_double_lt(unlike[d], 0.05);
+	for (int i = 0; i < POINTS; i++) /* half of them in a quarter of the space */
+		x[i][2] *= x[i][2] < 1.5 ? 1 : 3;
+	ck_assert(ts_rank_points_unlike(x, POINTS, unlike));
+	ck_assert_double_lt(unlike[0], 0.05);
+	ck_assert_double_gt(unlike[2], 0.3);
+	ck_assert(ts_rank_points_unlike(x, 10, unlike) && unlike[2] == 0);
 }
 END_TEST
 
@@ -199,6 +221,7 @@ int main(void)
 	int failed;
 
 	tcase_add_test(tests, blocks_have_the_least_area);
+	tcase_add_test(tests, halves_of_points_fill_space);
 	tcase_add_test(tests, points_belong_to_one_block_and_are_near_others);
 	tcase_add_test(tests, points_outside_belong_to_the_outer_blocks);
 	suite_add_tcase(suite, tests);
