@@ -93,7 +93,7 @@ enum ts_rank_use {
 	/* Fixes that act on their own particles: outputs are columns of particles, or the same on all ranks. */
 	TS_RANKS_OUTPUTS = 4,
 	/* With TS_RANKS_WHOLE: these hooks and outputs read the columns of particles, but no lists of pairs or contacts, and
-	 * change nothing. */
+	 * change nothing; else that of SETUP. */
 	TS_RANKS_PARTICLES = 8,
 	/* All ranks do the steps in which `due` says so with all particles, as one rank does: what is rare and looks at the
 	 * particles of all ranks, such as insertions of clumps. */

@@ -517,7 +517,7 @@ const struct ts_style ts_fix_insert_jet = {
 		   "direction 0 0 -1 diameter 1.5e-3 speed gaussian 105 5 cone gaussian 2 massrate 3.33e-5 "
 		   "time 1e-3 overlapcheck no",
 	.args = args,
-	.ranks = TS_RANKS_STEPS,
+	.ranks = TS_RANKS_STEPS | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = inserts_whole,
 	.state_size = sizeof(struct jet),
 	.saved = saved,

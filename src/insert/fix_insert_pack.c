@@ -96,7 +96,7 @@ TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 const struct ts_style ts_fix_insert_pack = {
 	.name = "insert/pack",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_STEPS,
+	.ranks = TS_RANKS_STEPS | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = ts_insertion_whole_due,
 	.summary = "Fills a region with particles",
 	.purpose = "Fills a bin, a drum or a box with grains that do not overlap: once, or again and again. "

@@ -70,7 +70,7 @@ TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 const struct ts_style ts_fix_insert_rate_region = {
 	.name = "insert/rate/region",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_STEPS,
+	.ranks = TS_RANKS_STEPS | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = ts_insertion_whole_due,
 	.summary = "Inserts particles in a region at a given rate",
 	.purpose = "A feeder: grains appear in a region at a given rate. It needs a region, and a fix "

@@ -588,7 +588,7 @@ TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 const struct ts_style ts_fix_insert_stream = {
 	.name = "insert/stream",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_STEPS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_STEPS | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = ts_insertion_whole_due,
 	.summary = "Inserts a stream of particles through a plane face",
 	.purpose =

@@ -27,7 +27,7 @@ TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete)
 const struct ts_style ts_fix_particledistribution_discrete = {
 	.name = "particledistribution/discrete",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.summary = "Mixture of particle templates by mass, for insertion",
 	.doc = DOC("mass"),
 	.example = "fix mix all particledistribution/discrete 32452843 2 small 0.3 large 0.7",
@@ -41,7 +41,7 @@ TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_numberbased)
 const struct ts_style ts_fix_particledistribution_discrete_numberbased = {
 	.name = "particledistribution/discrete/numberbased",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.summary = "Mixture of particle templates by number, for insertion",
 	.doc = DOC("number"),
 	.example = "fix mix all particledistribution/discrete/numberbased 32452843 2 small 0.3 large 0.7",

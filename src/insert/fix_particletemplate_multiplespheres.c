@@ -31,7 +31,7 @@ TS_STYLE(fix, ts_style, ts_fix_particletemplate_multiplespheres)
 const struct ts_style ts_fix_particletemplate_multiplespheres = {
 	.name = "particletemplate/multiplespheres",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.summary = "Template of several independent spheres that are inserted together",
 	.doc = "The spheres have the given positions relative to each other when they are inserted; "
 	       "afterwards each moves independently. A clump counts as one particle in numbers. Its mass is "

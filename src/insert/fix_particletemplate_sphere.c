@@ -40,7 +40,7 @@ TS_STYLE(fix, ts_style, ts_fix_particletemplate_sphere)
 const struct ts_style ts_fix_particletemplate_sphere = {
 	.name = "particletemplate/sphere",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_WHOLE,
+	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.summary = "Template of spheres for insertion",
 	.doc = "Defines radius and density of spheres, which fix particledistribution/discrete mixes and fix "
 	       "insert/... inserts. Inserted particles also become members of the group of this fix.\n\n"

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "box/domain.h"
+#include "core/ranks.h"
 #include "force/gravity.h"
 #include "insert/insertion.h"
 #include "math/vec3.h"
@@ -508,7 +509,7 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 	s->told = true;
 	TS_TRY(find_gravity(self, sim, &g));
 	now = steps_between(s, sim, g);
-	if (now != s->base.every)
+	if (now != s->base.every && ts_ranks_first(sim))
 		ts_warn(&sim->log, &self->where,
 			"fix pour %s: particles need %lld steps to leave the region, but with time step and "
 			"gravity as they were here it took %lld, and so often they come; define it after "
@@ -601,7 +602,7 @@ TS_STYLE(fix, ts_style, ts_fix_pour)
 const struct ts_style ts_fix_pour = {
 	.name = "pour",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_STEPS,
+	.ranks = TS_RANKS_STEPS | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = ts_insertion_whole_due,
 	.summary = "Pours particles into a region, as in LAMMPS",
 	.doc = doc,

@@ -58,6 +58,38 @@ E2
 same_on rest 2 3 4
 gathered 0 0 0 0 0 0 0 0 0 4
 
+# Insertions from the first step on, which are defined after the particles were created, and change between runs.
+{
+	cat in.start
+	cat <<'E2'
+fix small all particletemplate/sphere 15485863 density constant 1 radius uniform number 0.2 0.4
+fix twin all particletemplate/multiplespheres 15485917 density constant 1 nspheres 2 ntry 9000 spheres 0 0 0 0.3 0.4 0 0 0.2
+fix both all particledistribution/discrete 32452843 2 small 0.6 twin 0.4
+region sky block 0 ${n} 1 $(v_n-1) $(v_n+2) $(2*v_n-1) units box
+region tube cylinder z 3 3 2 $(v_n+3) $(2*v_n-1) units box
+print "v 1 1 $(2*v_n-3)" file face.obj screen no
+print "v 5 1 $(2*v_n-3)" append face.obj screen no
+print "v 3 5 $(2*v_n-3)" append face.obj screen no
+print "f 1 2 3" append face.obj screen no
+fix face all mesh/surface/planar file face.obj type 1
+fix rain all insert/rate/region seed 32452867 distributiontemplate both nparticles INF particlerate 200 insert_every 9 region sky vel constant 0.5 0 -1
+fix fill all insert/pack seed 86028157 distributiontemplate both insert_every 25 region tube particles_in_region 12 orientation random
+fix pour all insert/stream seed 15486173 distributiontemplate both nparticles INF particlerate 50 vel uniform 0.1 0 -4 0.2 0.1 0 insertion_face face extrude_length 1.5
+fix jet all insert/jet seed 49979687 distributiontemplate both position 1 4 $(v_n+1.5) direction -1 0 0 diameter 1 speed constant 3 particlerate 30 nparticles 40
+fix snow all pour 20 1 29494 region tube diam one 0.7 vel -0.2 0.2 -0.1 0.1 -1
+run 40
+run 30
+fix rain all insert/rate/region seed 32452867 distributiontemplate both nparticles INF particlerate 90 insert_every 7 region sky
+run 30
+unfix jet
+print "$(atoms) $(ke)"
+run 20
+E2
+	echo "$frame"
+} >in.fed
+same_on fed 2 3 4
+gathered 0 0 0 0 4
+
 # Rows with sums over groups, but a dynamic one, whose members all ranks choose together: that in the second run.
 {
 	cat in.start
