@@ -184,12 +184,12 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return TS_OK;
 }
 
+/* The same on all ranks, of which some may have no bodies. */
 static bool due(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_rigid *r = self->state;
 
-	(void)sim;
-	return r->n > 0;
+	return sim->division ? sim->particles->body != NULL : r->n > 0;
 }
 
 static void fini(struct ts_instance *self)
