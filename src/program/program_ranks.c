@@ -140,9 +140,13 @@ struct mpi {
 
 enum {
 	PIECE = 1 << 30, /* bytes of a message: MPI counts with int */
-	SPINS = 200,	 /* polls before the processor is offered to others */
-	MESSAGE = 8192,	 /* bytes of an error message */
-	PATIENCE = 60	 /* s until a rank ends all by itself, if the first one does not */
+	/* Within a machine Open MPI sends up to 4 KiB at once, and for more waits for the receiver: parcels of SHORT bytes go in
+	 * pieces of EAGER. */
+	EAGER = 4000,
+	SHORT = 1 << 15,
+	SPINS = 200,	/* polls before the processor is offered to others */
+	MESSAGE = 8192, /* bytes of an error message */
+	PATIENCE = 60	/* s until a rank ends all by itself, if the first one does not */
 };
 
 static void abort_all(struct mpi *m)
@@ -278,25 +282,30 @@ static MPI_Request *next_request(struct mpi *m, size_t *n)
 	return &m->request[(*n)++];
 }
 
-/* Large parcels go in pieces, which arrive in the order in which they were sent. */
+/* The next piece of a parcel of n bytes, of which `at` are under way. */
+static int piece_of(size_t n, size_t at)
+{
+	size_t most = n <= SHORT ? EAGER : PIECE;
+
+	return (int)(n - at < most ? n - at : most);
+}
+
+/* Parcels go in pieces, which arrive in the order in which they were sent. */
 static void swap(struct ts_world *world, const struct ts_parcel *out, struct ts_parcel *in)
 {
 	struct mpi *m = (struct mpi *)world;
 	size_t n = 0;
+	int piece;
 
 	for (int r = 0; r < world->n; r++)
-		for (size_t at = 0; r != world->rank && at < in[r].n; at += PIECE) {
-			size_t piece = in[r].n - at < PIECE ? in[r].n - at : PIECE;
-
-			m->mpi.Irecv(in[r].data + at, (int)piece, m->mpi.byte, r, 0, m->all,
-				     next_request(m, &n));
+		for (size_t at = 0; r != world->rank && at < in[r].n; at += (size_t)piece) {
+			piece = piece_of(in[r].n, at);
+			m->mpi.Irecv(in[r].data + at, piece, m->mpi.byte, r, 0, m->all, next_request(m, &n));
 		}
 	for (int r = 0; r < world->n; r++)
-		for (size_t at = 0; r != world->rank && at < out[r].n; at += PIECE) {
-			size_t piece = out[r].n - at < PIECE ? out[r].n - at : PIECE;
-
-			m->mpi.Isend(out[r].data + at, (int)piece, m->mpi.byte, r, 0, m->all,
-				     next_request(m, &n));
+		for (size_t at = 0; r != world->rank && at < out[r].n; at += (size_t)piece) {
+			piece = piece_of(out[r].n, at);
+			m->mpi.Isend(out[r].data + at, piece, m->mpi.byte, r, 0, m->all, next_request(m, &n));
 		}
 	wait_for(m, m->request, (int)n);
 }
