@@ -61,30 +61,54 @@ ranks() {
 	on_ranks "$n" "$TSIM" "$@" >out 2>&1 </dev/null
 }
 # planned NAME RANKS [ITERATIONS]: of runs of in.two (2 steps) and in.twelve with one list of contacts the difference is ten steps, in
-# which a solver makes so many iterations.
+# which a solver makes so many iterations. compare_plans runs them: the start of ranks takes more time than they do. A run before both is
+# not compared: the first one after another scene sends more before its first step.
 planned() {
-	local n=$2
-	ranks $n -in in.two -screen none -log two
-	report "$1: two steps on $n ranks" $? out
-	ranks $n -in in.twelve -screen none -log twelve
-	report "$1: twelve steps on $n ranks" $? out
-	ranks $n -in in.twelve -log none -explain
-	report "$1: plan of $n ranks" $? out
-	awk -v most="$(number 'particles ' 3)" -v copies="$(number copies 1)" -v iterations="${3:-0}" \
+	local k=${#plans[@]}
+	plans+=("$1")
+	iterations_in+=("${3:-0}")
+	of_ranks[$2]+=" $k"
+	cp in.two "in.first.$k"
+	cp in.two "in.two.$k"
+	cp in.twelve "in.twelve.$k"
+}
+plans=()
+iterations_in=()
+of_ranks=()
+
+# compare_plans N: those of N ranks, which are started once for the runs, and once for the plans
+compare_plans() {
+	local n=$1 k runs=()
+	# shellcheck disable=SC2086
+	set -- ${of_ranks[n]}
+	for k in "$@"; do runs+=("first.$k" "two.$k" "twelve.$k"); done
+	in_turn "$n" "runs.$n" "${runs[@]}"
+	report "two and twelve steps on $n ranks" $? out
+	for k in "$@"; do printf 'print "plan of %s"\ninclude in.twelve.%s\nclear\n' "$k" "$k"; done >in.plans
+	ranks "$n" -in in.plans -log none -explain
+	report "plans of $n ranks" $? out
+	mv out plans.out
+	for k in "$@"; do
+		awk -v from="plan of $k" '/^plan of / { inside = $0 == from } inside' plans.out >out
+		compare_plan "${plans[k]}" "$n" "${iterations_in[k]}" "runs.$n/two.$k/log" "runs.$n/twelve.$k/log"
+	done
+}
+# compare_plan NAME RANKS ITERATIONS TWO TWELVE: the plan in `out` with the logs of both runs
+compare_plan() {
+	awk -v most="$(number 'particles ' 3)" -v copies="$(number copies 1)" -v iterations="$3" \
 		-v messages="$(number 'messages sent' 1)" -v bytes="$(number 'bytes sent' 1)" \
 		-v messages_more="$(number 'messages an' 1)" -v bytes_more="$(number 'bytes an' 1)" '
 		/^Ranks:/ { differ += most != $(NF - 4) ? 1 : 0; print "most", most, $(NF - 4) }
 		/^Of the first rank:/ {
-			if (FILENAME == "two") { m = 2 * $5; b = 2 * $7; next }
+			if (!n++) { m = 2 * $5; b = 2 * $7; next }
 			m = (12 * $5 - m) / 10; b = (12 * $7 - b) / 10
 			messages += messages_more * iterations / 10
 			bytes += bytes_more * iterations / 10
 			print "copies", copies, $(14), "messages", messages, m, "bytes", bytes, b
 			differ += copies != $14 || (messages - m)^2 > 0.2 || (bytes - b)^2 > 1 || !(bytes > 0)
-			n++
 		}
-		END { exit differ || !n || (iterations > 0 && !(bytes_more > 0)) }' two twelve >difference
-	report "$1: $n ranks have and send what was planned" $? difference
+		END { exit differ || n != 2 || (iterations > 0 && !(bytes_more > 0)) }' "$4" "$5" >difference
+	report "$1: $2 ranks have and send what was planned" $? difference
 }
 # iterations_of: of the solver in steps 3 to 12 of in.twelve on one rank; 0 without a fluid
 iterations_of() {
@@ -152,6 +176,9 @@ set atom 1 diameter 0.45 density 1
 fix b all immersed/boundary spheres"
 "$TSIM" -in in.twelve -explain -ranks 17 -log none >out 2>&1 && grep -q "^  fluid's ranks  *each of the 17 computes the whole step: .* (16 here)" out
 report 'more ranks than planes' $? out
+for n in "${!of_ranks[@]}"; do
+	compare_plans "$n"
+done
 
 # MPI's library is loaded when there are ranks: another one of that name does no harm to a process alone.
 file=$(grep -ao 'libmpi[a-z_]*[.]so[.0-9]*' "$TSIM" | head -n 1)
