@@ -179,7 +179,7 @@ enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, 
 	p->pressure = pressure;
 	p->removals = sim->removals;
 	p->weights_vary = weighted;
-	ts_slab_step_check_solver(p);
+	ts_slab_step_check_solver(p, sim);
 	return TS_OK;
 }
 

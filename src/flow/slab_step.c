@@ -44,10 +44,11 @@ static bool boundary_has_formula(const struct ts_projection *p)
 	return false;
 }
 
-/* Whether ranks divide the pressure solver; one that is not chosen yet may be divided. */
-static bool solver_divides(struct ts_projection *p)
+/* Whether ranks divide the pressure solver; one that is not chosen yet, or may have been removed, may be divided. */
+static bool solver_divides(struct ts_projection *p, const struct tsim *sim)
 {
-	const struct ts_pressure_style *style = p->pressure ? ts_pressure_style_of(p->pressure) : NULL;
+	const bool chosen = p->pressure && p->removals == sim->removals;
+	const struct ts_pressure_style *style = chosen ? ts_pressure_style_of(p->pressure) : NULL;
 	const bool was = p->slabs.active;
 	bool divides;
 
@@ -57,13 +58,20 @@ static bool solver_divides(struct ts_projection *p)
 	return divides;
 }
 
+/* Fields of fixes that take part; they stay when the fix is removed. */
+static bool has_fields_of_parts(const struct ts_fluid *fluid)
+{
+	return fluid->force[0] || fluid->exchange[0] || fluid->void_fraction || fluid->p_mean;
+}
+
 /* Whether nothing reads the fluid before all ranks get all particles: no particle feels it, and no formula names it. */
 static bool stays_apart(struct ts_projection *p, const struct tsim *sim)
 {
 	size_t k = 0;
 
 	if (p->fluid.grid.n[2] / sim->world->n < TS_GRID_GHOSTS || boundary_has_formula(p) ||
-	    !solver_divides(p) || ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k))
+	    !solver_divides(p, sim) || has_fields_of_parts(&p->fluid) ||
+	    ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k))
 		return false;
 	for (int kind = 0; kind < TS_NKIND; kind++)
 		for (k = 0; k < sim->instances[kind].n; k++)
@@ -143,9 +151,9 @@ bool ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim)
 	return some && !were;
 }
 
-void ts_slab_step_check_solver(struct ts_projection *p)
+void ts_slab_step_check_solver(struct ts_projection *p, const struct tsim *sim)
 {
-	if (ts_fluid_divided(&p->fluid) && !solver_divides(p))
+	if (ts_fluid_divided(&p->fluid) && !solver_divides(p, sim))
 		ts_slab_step_complete(p);
 }
 
@@ -186,7 +194,7 @@ static void complete_history(struct ts_projection *p)
 		return;
 	p->slabs.active = true;
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
-		ts_slab_step_share(p, p->history[d]);
+		share_with_faces(p, p->history[d]);
 	p->slabs.active = p->history_apart = false;
 }
 

@@ -17,7 +17,7 @@ void ts_slab_step_end(struct ts_projection *projection);
 /* All ranks get all planes of the fluid. */
 void ts_slab_step_complete(struct ts_projection *projection);
 /* After the pressure solver has been chosen: one that ranks do not divide needs all planes. */
-void ts_slab_step_check_solver(struct ts_projection *projection);
+void ts_slab_step_check_solver(struct ts_projection *projection, const struct tsim *sim);
 
 /* All do nothing while ranks do not have slabs. After the predictor: velocities that the divergence needs; those of all
  * planes if fixes change them. */
