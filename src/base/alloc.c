@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -52,6 +54,17 @@ void ts_alloc_tune(void)
 	(void)mallopt(M_MMAP_THRESHOLD, MAPPED);
 	(void)mallopt(M_TRIM_THRESHOLD, KEPT_FREE);
 #endif
+}
+
+double ts_alloc_available(void)
+{
+	double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+	struct rlimit limit;
+
+	if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+	    (double)limit.rlim_cur < all)
+		all = (double)limit.rlim_cur;
+	return all;
 }
 
 void ts_alloc_trim(void)

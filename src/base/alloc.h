@@ -55,6 +55,9 @@ void ts_alloc_clear(void *p, size_t bytes);
  * avoids fragmentation. */
 void ts_alloc_tune(void);
 
+/* Physical memory of the machine, or the limit of the process if that is smaller, in bytes; not above 0: unknown. */
+double ts_alloc_available(void);
+
 /* Gives free memory back to the system, for before large blocks are needed for a short time. */
 void ts_alloc_trim(void);
 

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/alloc.h"
 #include "box/domain.h"
 #include "flow/boundary.h"
 #include "flow/projection.h"
@@ -117,12 +118,28 @@ static enum ts_status remake_grid(struct ts_projection *p, const double *const f
 	return p->rhs ? TS_OK : TS_NOMEM;
 }
 
-/* Counts the fields that every projection has: velocity, predictor, pressure, right-hand side. */
+/* Fields that every projection has: velocity, predictor, pressure, right-hand side. */
+enum { FIELDS = 8 };
+
+static double count_cells(const struct ts_projection *p)
+{
+	return (double)p->cells[0] * (double)p->cells[1] * (double)p->cells[2];
+}
+
+/* Whether the machine has the memory of the fields, or of the part of a rank: more is granted, and the process ended when it
+ * is used. */
+static bool fits_memory(const struct ts_projection *p, const struct tsim *sim)
+{
+	const double there = ts_alloc_available();
+	const int parts = sim->world && p->cells[2] >= TS_GRID_GHOSTS * sim->world->n ? sim->world->n : 1;
+
+	return !(there > 0) || FIELDS * sizeof(double) * count_cells(p) / parts <= there;
+}
+
 static enum ts_status fail_out_of_memory(struct ts_instance *self, struct tsim *sim)
 {
-	enum { FIELDS = 8 };
 	const struct ts_projection *p = self->state;
-	double cells = (double)p->cells[0] * (double)p->cells[1] * (double)p->cells[2];
+	double cells = count_cells(p);
 
 	return ts_fail(&sim->error, TS_NOMEM, &p->cell_words.word[0].place,
 		       "flow_style projection: out of memory: %lld x %lld x %lld cells need %.3g GB for the "
@@ -144,6 +161,8 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 		periodic[d] = ts_box_periodic(&sim->domain->box, d) &&
 			      spans_box(&sim->domain->box, d, lo[d], hi[d]);
 	TS_TRY(check_cells(self, sim, periodic));
+	if (!fits_memory(p, sim))
+		return fail_out_of_memory(self, sim);
 	for (int d = 0; d < 3 && status == TS_OK; d++) {
 		int n = (int)p->cells[d];
 

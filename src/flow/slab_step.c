@@ -128,6 +128,7 @@ void ts_slab_step_forget(struct ts_projection *p)
 	double *field[16];
 
 	list_fields(p, field);
+	p->history_apart = p->history[0];
 	for (int range = 0; range <= fluid->planes.ranges; range++, behind = end) {
 		first = end = fluid->grid.size;
 		if (range < fluid->planes.ranges)

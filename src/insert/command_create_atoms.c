@@ -3,8 +3,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include "base/clock.h"
 #include "box/domain.h"
@@ -321,17 +319,6 @@ static double bytes_per_particle(const struct tsim *sim)
 	return bytes;
 }
 
-/* Physical memory of the machine, or the limit of the process if that is smaller. */
-static double available_memory(void)
-{
-	double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-	struct rlimit limit;
-
-	if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-		all = fmin(all, (double)limit.rlim_cur);
-	return all;
-}
-
 /* Fails if n particles need more memory than there is, before it is allocated: Linux grants more than it
  * has and kills the process when the memory is used. Logs large amounts. */
 static enum ts_status check_memory(struct tsim *sim, const struct state *s, double n,
@@ -340,7 +327,7 @@ static enum ts_status check_memory(struct tsim *sim, const struct state *s, doub
 	static const double MUCH = 1e9;
 	double hash = s->mode == RANDOM && s->distance > 0 ? 4 * sizeof(double) + 2 * sizeof(int32_t) : 0;
 	double bytes = n * (bytes_per_particle(sim) + sizeof(struct ts_site) + hash),
-	       there = available_memory();
+	       there = ts_alloc_available();
 
 	if (bytes > there && there > 0)
 		return ts_fail(&sim->error, TS_NOMEM, where,

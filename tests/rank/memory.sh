@@ -106,6 +106,10 @@ thermo_style	custom step flow_cfl
 run		2
 run		1
 E2
+# The memory of a grid is taken when it is written: one that is too large is told before.
+on_ranks 2 "$TSIM" -in in.cavity -log none -screen none -var n 20000 -var solver direct >out 2>&1 </dev/null
+[ $? != 0 ] && [ "$(grep -c 'in.cavity:5:.*out of memory: 20000 x 20000 x 20000 cells need 5.12e+05 GB' out)" = 1 ]
+report 'a grid beyond the memory, two ranks' $? out
 # one rank: 82, 167 and 190
 fluid direct 20 40
 fluid 'cg preconditioner diagonal' 35 60
