@@ -1,5 +1,5 @@
 /* Values of ghost cells, by the boundary conditions. */
-#include "flow/fluid.h"
+#include "flow/fluid_slabs.h"
 
 #include "base/clones.h"
 #include "base/inline.h"
@@ -160,7 +160,7 @@ static bool has_face(const struct ts_fluid *fluid, int d, enum ts_grid_side side
 static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_range_fn *share,
 				  void *task, struct plane *across)
 {
-	const int ranges = ts_fluid_divided(fluid) && d < 2 ? fluid->planes.ranges : 1;
+	const int ranges = d < 2 ? ts_fluid_ranges(fluid) : 1;
 
 	if (!has_face(fluid, d, TS_LOW) && !has_face(fluid, d, TS_HIGH))
 		return;

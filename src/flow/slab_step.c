@@ -104,8 +104,10 @@ static struct ts_fluid_planes choose_planes(const struct ts_projection *p)
 	return planes;
 }
 
-/* All fields of velocities and pressures; NULL: not used. */
-static void list_fields(struct ts_projection *p, double *field[16])
+enum { FIELDS = 15 };
+
+/* All fields of a fluid that ranks divide; NULL: not used. */
+static void list_fields(struct ts_projection *p, double *field[FIELDS])
 {
 	size_t n = 0;
 
@@ -118,14 +120,13 @@ static void list_fields(struct ts_projection *p, double *field[16])
 	field[n++] = p->fluid.p;
 	field[n++] = p->rhs;
 	field[n++] = p->increment;
-	field[n++] = p->fluid.p_mean;
 }
 
 void ts_slab_step_forget(struct ts_projection *p)
 {
 	const struct ts_fluid *fluid = &p->fluid;
 	size_t behind = 0, first, end;
-	double *field[16];
+	double *field[FIELDS];
 
 	list_fields(p, field);
 	p->history_apart = p->history[0];
@@ -133,7 +134,7 @@ void ts_slab_step_forget(struct ts_projection *p)
 		first = end = fluid->grid.size;
 		if (range < fluid->planes.ranges)
 			ts_fluid_range_values(fluid, range, &first, &end);
-		for (size_t k = 0; k < sizeof field / sizeof *field; k++)
+		for (size_t k = 0; k < FIELDS; k++)
 			if (field[k])
 				ts_grid_field_clear(field[k], behind, first);
 	}

@@ -66,9 +66,10 @@ static bool divides(const struct ts_multigrid *m, int k, int ranks)
 	const int thinnest = l->s.n[2] / ranks; /* or thicker */
 	const int cells = l->s.n[0] * l->s.n[1] * l->s.n[2];
 
-	if (k < m->levels - 1 && most_beside(&l->links) > (k == 0 ? TS_GRID_GHOSTS : thinnest))
+	if (k == m->levels - 1)
 		return false;
-	return k < m->levels - 1 && thinnest >= 1 && thinnest >= most_beside(&l->residual) &&
+	return thinnest >= 1 && thinnest >= most_beside(&l->residual) &&
+	       most_beside(&l->links) <= (k == 0 ? TS_GRID_GHOSTS : thinnest) &&
 	       (k == 0 || (thinnest >= most_beside(&m->level[k - 1].correction) && cells / ranks >= LEAST));
 }
 
