@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/hash.h"
 #include "core/ranks.h"
 #include "coupling/interpolation_weights.h"
 #include "particle/division.h"
@@ -11,43 +10,14 @@
 
 #include "base/banned.h"
 
-static void hash_blocks(struct ts_hash *hash, const struct ts_rank_blocks *b)
-{
-	size_t parts = 1;
-
-	ts_hash_add(hash, b->count, sizeof b->count);
-	if (b->bisection) {
-		for (int r = 0; r < b->count[0] - 1; r++) {
-			ts_hash_add(hash, &b->bisection[r].dim, sizeof b->bisection[r].dim);
-			ts_hash_add(hash, &b->bisection[r].at, sizeof b->bisection[r].at);
-		}
-		return;
-	}
-	for (int d = 0; d < 3; parts *= (size_t)b->count[d++])
-		ts_hash_add(hash, b->cut[d], parts * ((size_t)b->count[d] + 1) * sizeof *b->cut[d]);
-}
-
-static uint64_t hash_grid(const struct ts_grid *grid, const struct ts_division *division)
-{
-	struct ts_hash hash = ts_hash_start();
-
-	if (division)
-		hash_blocks(&hash, &division->blocks);
-
-	ts_hash_add(&hash, grid->n, sizeof grid->n);
-	ts_hash_add(&hash, grid->periodic, sizeof grid->periodic);
-	for (int d = 0; d < 3; d++)
-		ts_hash_add(&hash, grid->face[d], ((size_t)grid->n[d] + 1) * sizeof *grid->face[d]);
-	return ts_hash_value(&hash);
-}
-
 /* Whether the grid is another one, or own particles have moved or changed since they were sorted; all is noted as it is
  * now. */
 static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, const struct ts_fluid *fluid,
 			 int reach)
 {
 	const struct ts_particles *p = sim->particles;
-	const uint64_t grid = hash_grid(&fluid->grid, sim->division);
+	const uint64_t grid =
+		ts_cell_owners_hash(&fluid->grid, sim->division ? &sim->division->blocks : NULL);
 	const bool divided = sim->division;
 	bool changed = sort->nlast != p->n || sort->grid != grid || sort->divided != divided ||
 		       (divided && sort->reach < reach);
@@ -166,6 +136,8 @@ static enum ts_status make_room(struct ts_cell_sort *sort, size_t n, size_t ncel
 static enum ts_status make_rows(struct ts_cell_sort *sort, struct tsim *sim, struct ts_fluid *fluid, bool all)
 {
 	const size_t own = sort->of.own, ncells = ts_grid_cells(&fluid->grid);
+	const struct ts_rank_blocks *blocks = sim->division ? &sim->division->blocks : NULL;
+	struct ts_cell_space space;
 
 	TS_TRY(make_room(sort, own, ncells));
 	find_cells(sort, sim, fluid, 0);
@@ -173,9 +145,9 @@ static enum ts_status make_rows(struct ts_cell_sort *sort, struct tsim *sim, str
 		return TS_OK;
 	if (!fluid->owners && !(fluid->owners = ts_alloc(1, sizeof *fluid->owners)))
 		return TS_NOMEM;
-	TS_TRY(ts_cell_owners_make(fluid->owners, sort->grid, &fluid->grid, &sim->division->blocks, all));
-	TS_TRY(ts_cell_senders_rows(&sort->senders, sim->world, fluid->owners, &fluid->grid, sort->reach,
-				    sort->cell, &sort->of));
+	TS_TRY(ts_cell_owners_make(fluid->owners, sort->grid, &fluid->grid, blocks, all));
+	space = (struct ts_cell_space){ &fluid->grid, blocks, fluid->owners };
+	TS_TRY(ts_cell_senders_rows(&sort->senders, sim->world, &space, sort->reach, sort->cell, &sort->of));
 	TS_TRY(make_room(sort, sort->of.n, ncells));
 	find_cells(sort, sim, fluid, own);
 	return TS_OK;
@@ -294,7 +266,7 @@ enum ts_status ts_cell_order_spread(struct ts_cell_order *order, struct tsim *si
 {
 	if (!sim->division)
 		return TS_OK;
-	if (ts_cell_owners_share(order->fluid->owners, sim->world, &field, 1) != TS_OK)
+	if (ts_cell_owners_share(order->fluid->owners, sim->world, &order->fluid->grid, &field, 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;
 }

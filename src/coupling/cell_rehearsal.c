@@ -157,9 +157,10 @@ static enum ts_status send_all(struct rehearsal *r)
 				     .tag = r->tag + from,
 				     .mask = r->mask + from };
 
+	const struct ts_cell_space space = { &r->fluid->grid, &r->layout->blocks, &r->owners };
+
 	for (int k = 0; k < r->sorts; k++)
-		TS_TRY(ts_cell_senders_rows(&r->senders, &r->world, &r->owners, &r->fluid->grid, r->reach,
-					    r->cell + from, &rows));
+		TS_TRY(ts_cell_senders_rows(&r->senders, &r->world, &space, r->reach, r->cell + from, &rows));
 	TS_TRY(send_numbers(r));
 	send_fields(r);
 	/* the other ranks of a cell depend on the rank that asks */

@@ -8,10 +8,10 @@
 
 /* ---- which ranks have cells near a cell */
 
-static enum ts_status make_senders(struct ts_cell_senders *s, const struct ts_cell_owners *owners,
-				   const struct ts_grid *grid, int reach)
+static enum ts_status make_senders(struct ts_cell_senders *s, const struct ts_cell_space *space, int reach)
 {
-	const size_t ncells = ts_grid_cells(grid), ranks = (size_t)owners->ranks;
+	const struct ts_cell_owners *owners = space->owners;
+	const size_t ncells = ts_grid_cells(space->grid), ranks = (size_t)owners->ranks;
 
 	if (s->ranks == owners->ranks && s->reach == reach && s->made_for == owners->made_for)
 		return TS_OK;
@@ -62,25 +62,38 @@ static int wrapped(int i, int n)
 	return i < 0 ? i + n : i >= n ? i - n : i;
 }
 
-static enum ts_status find_others(struct ts_cell_senders *s, const struct ts_cell_owners *owners,
-				  const struct ts_grid *grid, int own, int32_t cell,
-				  struct ts_cell_others *others)
+/* Whether all these cells are in the box. */
+static bool lies_in(const struct ts_cell_box *box, const int from[3], const int to[3])
 {
+	bool lies = true;
+
+	for (int d = 0; d < 3; d++)
+		lies &= from[d] >= box->from[d] && to[d] < box->to[d];
+	return lies;
+}
+
+static enum ts_status find_others(struct ts_cell_senders *s, const struct ts_cell_space *space, int own,
+				  int32_t cell, struct ts_cell_others *others)
+{
+	const struct ts_grid *grid = space->grid;
 	const int *n = grid->n, at[3] = { cell % n[0], cell / n[0] % n[1], cell / n[0] / n[1] };
 	int from[3], to[3];
 
 	*others = (struct ts_cell_others){ .first = (int32_t)s->nother };
-	for (int r = 0; owners->all && r < owners->ranks; r++)
+	for (int r = 0; space->owners->all && r < space->owners->ranks; r++)
 		if (r != own)
 			TS_TRY(add_other(s, others, r));
 	for (int d = 0; d < 3; d++)
 		span(grid, d, at[d], s->reach, &from[d], &to[d]);
-	for (int k = from[2]; k <= to[2] && !owners->all; k++)
+	if (space->owners->all || lies_in(&space->owners->box[own], from, to))
+		return TS_OK;
+	for (int k = from[2]; k <= to[2]; k++)
 		for (int j = from[1]; j <= to[1]; j++)
 			for (int i = from[0]; i <= to[0]; i++) {
-				const int32_t rank =
-					owners->rank[(wrapped(k, n[2]) * n[1] + wrapped(j, n[1])) * n[0] +
-						     wrapped(i, n[0])];
+				const double x[3] = { grid->centre[0][wrapped(i, n[0])],
+						      grid->centre[1][wrapped(j, n[1])],
+						      grid->centre[2][wrapped(k, n[2])] };
+				const int rank = ts_rank_blocks_owner(space->blocks, x);
 
 				if (rank != own)
 					TS_TRY(add_other(s, others, rank));
@@ -100,9 +113,8 @@ static enum ts_status pack_row(struct ts_cell_senders *s, const struct ts_cell_r
 	return ts_parcel_add(&s->out[rank], &row, sizeof row);
 }
 
-static enum ts_status pack_rows(struct ts_cell_senders *s, const struct ts_cell_owners *owners,
-				const struct ts_grid *grid, int own, const int32_t *cell,
-				const struct ts_cell_rows *rows)
+static enum ts_status pack_rows(struct ts_cell_senders *s, const struct ts_cell_space *space, int own,
+				const int32_t *cell, const struct ts_cell_rows *rows)
 {
 	for (int r = 0; r < s->ranks; r++)
 		s->index[r].n = s->out[r].n = 0;
@@ -112,7 +124,7 @@ static enum ts_status pack_rows(struct ts_cell_senders *s, const struct ts_cell_
 		if (!others)
 			continue;
 		if (others->n < 0)
-			TS_TRY(find_others(s, owners, grid, own, cell[i], others));
+			TS_TRY(find_others(s, space, own, cell[i], others));
 		for (int32_t k = 0; k < others->n; k++)
 			TS_TRY(pack_row(s, rows, (int32_t)i, s->other[others->first + k]));
 	}
@@ -120,11 +132,11 @@ static enum ts_status pack_rows(struct ts_cell_senders *s, const struct ts_cell_
 }
 
 enum ts_status ts_cell_senders_rows(struct ts_cell_senders *s, struct ts_world *world,
-				    const struct ts_cell_owners *owners, const struct ts_grid *grid,
-				    int reach, const int32_t *cell, struct ts_cell_rows *rows)
+				    const struct ts_cell_space *space, int reach, const int32_t *cell,
+				    struct ts_cell_rows *rows)
 {
-	TS_TRY(make_senders(s, owners, grid, reach));
-	TS_TRY(pack_rows(s, owners, grid, world->rank, cell, rows));
+	TS_TRY(make_senders(s, space, reach));
+	TS_TRY(pack_rows(s, space, world->rank, cell, rows));
 	TS_TRY(ts_world_deliver(world, s->out, s->in));
 	s->rows.n = 0;
 	for (int r = 0; r < s->ranks; r++)

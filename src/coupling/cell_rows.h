@@ -60,10 +60,17 @@ struct ts_cell_senders {
 	size_t cell_capacity, other_capacity, index_capacity, out_capacity, in_capacity;
 };
 
+/* The cells, and the ranks that have them. */
+struct ts_cell_space {
+	const struct ts_grid *grid;
+	const struct ts_rank_blocks *blocks;
+	const struct ts_cell_owners *owners;
+};
+
 /* Sends the particles of this rank, which are in these cells (-1: in none), and sets rows->other. */
 enum ts_status ts_cell_senders_rows(struct ts_cell_senders *senders, struct ts_world *world,
-				    const struct ts_cell_owners *owners, const struct ts_grid *grid,
-				    int reach, const int32_t *cell, struct ts_cell_rows *rows);
+				    const struct ts_cell_space *space, int reach, const int32_t *cell,
+				    struct ts_cell_rows *rows);
 /* Sends `width` numbers of each of the same particles, from mine[stride * i] on, and appends those received to `all`, in
  * the order of the rows. */
 enum ts_status ts_cell_senders_numbers(struct ts_cell_senders *senders, struct ts_world *world,

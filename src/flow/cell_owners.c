@@ -3,92 +3,143 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/hash.h"
 
 #include "base/banned.h"
 
-/* Number of points of fields along axis d: the faces of the upper boundary are one more. */
-static int points(const struct ts_grid *grid, int d)
+/* ---- boxes */
+
+struct ts_cell_box ts_cell_box_common(const struct ts_cell_box *a, const struct ts_cell_box *b)
 {
-	return grid->n[d] + (grid->ghosts[d] > 0 && !grid->periodic[d]);
+	struct ts_cell_box common;
+
+	for (int d = 0; d < 3; d++) {
+		common.from[d] = a->from[d] > b->from[d] ? a->from[d] : b->from[d];
+		common.to[d] = a->to[d] < b->to[d] ? a->to[d] : b->to[d];
+	}
+	return common;
 }
 
-static void find_owners(struct ts_cell_owners *o, const struct ts_grid *grid,
-			const struct ts_rank_blocks *blocks)
+size_t ts_cell_box_size(const struct ts_cell_box *box)
 {
-	const int *n = grid->n;
-	int32_t *rank = o->rank;
+	size_t size = 1;
 
-	for (int k = 0; k < n[2]; k++)
-		for (int j = 0; j < n[1]; j++)
-			for (int i = 0; i < n[0]; i++) {
-				const double x[3] = { grid->centre[0][i], grid->centre[1][j],
-						      grid->centre[2][k] };
-
-				*rank++ = (int32_t)ts_rank_blocks_owner(blocks, x);
-			}
+	for (int d = 0; d < 3; d++)
+		size *= box->to[d] > box->from[d] ? (size_t)(box->to[d] - box->from[d]) : 0;
+	return size;
 }
 
-/* The rank of a point. */
-static int32_t owner_of(const struct ts_cell_owners *o, const struct ts_grid *grid, int i, int j, int k)
+double *ts_cell_box_pack(const struct ts_grid *grid, const struct ts_cell_box *box, const double *field,
+			 double *to)
 {
-	const int *n = grid->n;
-	const int at[3] = { i < n[0] ? i : n[0] - 1, j < n[1] ? j : n[1] - 1, k < n[2] ? k : n[2] - 1 };
+	const size_t n = ts_cell_box_size(box) ? (size_t)(box->to[0] - box->from[0]) : 0;
 
-	return o->rank[(at[2] * n[1] + at[1]) * n[0] + at[0]];
+	for (int k = box->from[2]; k < box->to[2] && n; k++)
+		for (int j = box->from[1]; j < box->to[1]; j++, to += n)
+			memcpy(to, field + ts_at(grid, box->from[0], j, k), n * sizeof *to);
+	return to;
 }
 
-/* Counts the points of each rank, or lists them from `next` of its rank on. */
-static void visit_points(struct ts_cell_owners *o, const struct ts_grid *grid, size_t *count, size_t *next)
+const double *ts_cell_box_unpack(const struct ts_grid *grid, const struct ts_cell_box *box,
+				 const double *from, double *field)
 {
-	for (int k = 0; k < points(grid, 2); k++)
-		for (int j = 0; j < points(grid, 1); j++)
-			for (int i = 0; i < points(grid, 0); i++) {
-				const int32_t rank = owner_of(o, grid, i, j, k);
+	const size_t n = ts_cell_box_size(box) ? (size_t)(box->to[0] - box->from[0]) : 0;
 
-				if (count)
-					count[rank]++;
-				else
-					o->point[next[rank]++] = ts_at(grid, i, j, k);
-			}
+	for (int k = box->from[2]; k < box->to[2] && n; k++)
+		for (int j = box->from[1]; j < box->to[1]; j++, from += n)
+			memcpy(field + ts_at(grid, box->from[0], j, k), from, n * sizeof *from);
+	return from;
 }
 
-/* start[r + 1] is used as the next free index of rank r. */
-static void list_points(struct ts_cell_owners *o, const struct ts_grid *grid)
+/* ---- of the ranks */
+
+static void hash_blocks(struct ts_hash *hash, const struct ts_rank_blocks *b)
 {
-	memset(o->start, 0, ((size_t)o->ranks + 2) * sizeof *o->start);
-	visit_points(o, grid, o->start + 2, NULL);
-	for (int r = 0; r < o->ranks; r++)
-		o->start[r + 2] += o->start[r + 1];
-	visit_points(o, grid, NULL, o->start + 1);
+	size_t parts = 1;
+
+	ts_hash_add(hash, b->count, sizeof b->count);
+	if (b->bisection) {
+		for (int r = 0; r < b->count[0] - 1; r++) {
+			ts_hash_add(hash, &b->bisection[r].dim, sizeof b->bisection[r].dim);
+			ts_hash_add(hash, &b->bisection[r].at, sizeof b->bisection[r].at);
+		}
+		return;
+	}
+	for (int d = 0; d < 3; parts *= (size_t)b->count[d++])
+		ts_hash_add(hash, b->cut[d], parts * ((size_t)b->count[d] + 1) * sizeof *b->cut[d]);
+}
+
+uint64_t ts_cell_owners_hash(const struct ts_grid *grid, const struct ts_rank_blocks *blocks)
+{
+	struct ts_hash hash = ts_hash_start();
+
+	if (blocks)
+		hash_blocks(&hash, blocks);
+	ts_hash_add(&hash, grid->n, sizeof grid->n);
+	ts_hash_add(&hash, grid->periodic, sizeof grid->periodic);
+	for (int d = 0; d < 3; d++)
+		ts_hash_add(&hash, grid->face[d], ((size_t)grid->n[d] + 1) * sizeof *grid->face[d]);
+	return ts_hash_value(&hash);
+}
+
+/* The first cell along axis d whose centre is not below x. */
+static int first_from(const struct ts_grid *grid, int d, double x)
+{
+	int low = 0, high = grid->n[d];
+
+	while (low < high) {
+		const int middle = low + (high - low) / 2;
+
+		if (grid->centre[d][middle] >= x)
+			high = middle;
+		else
+			low = middle + 1;
+	}
+	return low;
+}
+
+/* A block has the places from its lower face on, below its upper one (ts_rank_blocks_owner); those outside of the box belong
+ * to the nearest block. */
+static struct ts_cell_box box_of(const struct ts_grid *grid, const struct ts_rank_blocks *blocks, int rank)
+{
+	struct ts_cell_box box;
+
+	for (int d = 0; d < 3; d++) {
+		const struct ts_rank_side side = ts_rank_blocks_side(blocks, rank, d);
+		const bool lowest = side.face[0] <= blocks->lo[d],
+			   highest = side.face[1] >= blocks->lo[d] + blocks->length[d];
+
+		box.from[d] = lowest ? 0 : first_from(grid, d, side.face[0]);
+		box.to[d] = highest ? grid->n[d] : first_from(grid, d, side.face[1]);
+		if (box.to[d] == grid->n[d] && box.from[d] < box.to[d] && grid->ghosts[d] > 0 &&
+		    !grid->periodic[d])
+			box.to[d]++;
+	}
+	return box;
 }
 
 enum ts_status ts_cell_owners_make(struct ts_cell_owners *o, uint64_t hash, const struct ts_grid *grid,
 				   const struct ts_rank_blocks *blocks, bool all)
 {
-	size_t n = 1;
+	const int ranks = ts_rank_blocks_number(blocks);
 
+	hash = all ? ~hash : hash;
 	if (o->ranks && o->made_for == hash)
 		return TS_OK;
 	o->ranks = 0; /* until it is made */
-	for (int d = 0; d < 3; d++)
-		n *= (size_t)points(grid, d);
-	TS_TRY(TS_GROW(o->rank, o->rank_capacity, ts_grid_cells(grid)));
-	TS_TRY(TS_GROW(o->point, o->point_capacity, n));
-	TS_TRY(TS_GROW(o->start, o->start_capacity, (size_t)ts_rank_blocks_number(blocks) + 2));
-	TS_TRY(TS_GROW(o->size, o->size_capacity, (size_t)ts_rank_blocks_number(blocks)));
-	o->ranks = ts_rank_blocks_number(blocks);
+	TS_TRY(TS_GROW(o->box, o->box_capacity, (size_t)ranks));
+	TS_TRY(TS_GROW(o->size, o->size_capacity, (size_t)ranks));
+	for (int r = 0; r < ranks; r++)
+		o->box[r] = box_of(grid, blocks, r);
+	o->ranks = ranks;
 	o->made_for = hash;
 	o->all = all;
-	find_owners(o, grid, blocks);
-	list_points(o, grid);
 	return TS_OK;
 }
 
 void ts_cell_owners_release(struct ts_cell_owners *o)
 {
-	ts_free(o->rank);
-	ts_free(o->point);
-	ts_free(o->start);
+	ts_free(o->box);
 	ts_free(o->size);
 	ts_parcel_release(&o->mine);
 	ts_parcel_release(&o->shared);
@@ -97,40 +148,40 @@ void ts_cell_owners_release(struct ts_cell_owners *o)
 
 /* ---- values of all cells */
 
-static enum ts_status pack(struct ts_cell_owners *o, int rank, double *const *field, size_t n, size_t fields)
+static enum ts_status pack(struct ts_cell_owners *o, int rank, const struct ts_grid *grid,
+			   double *const *field, size_t n, size_t fields)
 {
-	const size_t *point = o->point + o->start[rank], cells = ts_cell_owners_count(o, rank);
 	double *to;
 
 	o->mine.n = 0;
-	to = (double *)(void *)ts_parcel_extend(&o->mine, cells * fields * sizeof *to);
+	to = (double *)(void *)ts_parcel_extend(&o->mine,
+						ts_cell_owners_count(o, rank) * fields * sizeof *to);
 	if (!to)
 		return TS_NOMEM;
 	for (size_t f = 0; f < n; f++)
-		for (size_t k = 0; field[f] && k < cells; k++)
-			*to++ = field[f][point[k]];
+		if (field[f])
+			to = ts_cell_box_pack(grid, &o->box[rank], field[f], to);
 	return TS_OK;
 }
 
-static void unpack(const struct ts_cell_owners *o, int own, double *const *field, size_t n, size_t fields)
+static void unpack(const struct ts_cell_owners *o, int own, const struct ts_grid *grid, double *const *field,
+		   size_t n, size_t fields)
 {
 	const double *from = (const double *)(const void *)o->shared.data;
 
 	for (int r = 0; r < o->ranks; r++) {
-		const size_t *point = o->point + o->start[r], cells = ts_cell_owners_count(o, r);
-
 		if (r == own) {
-			from += fields * cells;
+			from += fields * ts_cell_owners_count(o, r);
 			continue;
 		}
 		for (size_t f = 0; f < n; f++)
-			for (size_t k = 0; field[f] && k < cells; k++)
-				field[f][point[k]] = *from++;
+			if (field[f])
+				from = ts_cell_box_unpack(grid, &o->box[r], from, field[f]);
 	}
 }
 
-enum ts_status ts_cell_owners_share(struct ts_cell_owners *o, struct ts_world *world, double *const *field,
-				    size_t n)
+enum ts_status ts_cell_owners_share(struct ts_cell_owners *o, struct ts_world *world,
+				    const struct ts_grid *grid, double *const *field, size_t n)
 {
 	size_t fields = 0;
 
@@ -140,9 +191,9 @@ enum ts_status ts_cell_owners_share(struct ts_cell_owners *o, struct ts_world *w
 		return TS_OK;
 	for (int r = 0; r < o->ranks; r++)
 		o->size[r] = fields * sizeof(double) * ts_cell_owners_count(o, r);
-	TS_TRY(pack(o, world->rank, field, n, fields));
+	TS_TRY(pack(o, world->rank, grid, field, n, fields));
 	o->shared.n = 0;
 	TS_TRY(ts_world_share_known(world, &o->mine, o->size, &o->shared));
-	unpack(o, world->rank, field, n, fields);
+	unpack(o, world->rank, grid, field, n, fields);
 	return TS_OK;
 }

@@ -99,7 +99,8 @@ enum ts_status ts_fluid_share_sources(struct ts_fluid *fluid, struct tsim *sim)
 	if (!fluid->apart)
 		return TS_OK;
 	fluid->apart = false;
-	if (ts_cell_owners_share(fluid->owners, sim->world, field, sizeof field / sizeof *field) != TS_OK)
+	if (ts_cell_owners_share(fluid->owners, sim->world, &fluid->grid, field,
+				 sizeof field / sizeof *field) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;
 }
