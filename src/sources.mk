@@ -383,6 +383,8 @@ library_sources = \
 	src/coupling/added_mass.c \
 	src/coupling/added_mass.h \
 	src/coupling/axis_points.h \
+	src/coupling/cell_frame.c \
+	src/coupling/cell_frame.h \
 	src/coupling/cell_halves.c \
 	src/coupling/cell_halves.h \
 	src/coupling/cell_order.c \
@@ -422,6 +424,8 @@ library_sources = \
 	src/coupling/interpolation_faces.h \
 	src/coupling/interpolation_weights.c \
 	src/coupling/interpolation_weights.h \
+	src/coupling/near_particles.c \
+	src/coupling/near_particles.h \
 	src/coupling/outside_grid.c \
 	src/coupling/outside_grid.h \
 	src/coupling/reactions.c \
@@ -568,12 +572,18 @@ library_sources = \
 	src/flow/flow_uniform.c \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
+	src/flow/fluid_fields.c \
+	src/flow/fluid_fields.h \
 	src/flow/fluid_ghosts.c \
 	src/flow/fluid_interpolation.c \
+	src/flow/fluid_near.c \
+	src/flow/fluid_near.h \
 	src/flow/fluid_slabs.c \
 	src/flow/fluid_slabs.h \
 	src/flow/implicit_viscosity.c \
 	src/flow/implicit_viscosity.h \
+	src/flow/near_exchange.c \
+	src/flow/near_exchange.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
 	src/flow/particle_sources.c \

@@ -302,6 +302,7 @@ unit_tests = \
 	tests/film/check_film_slip \
 	tests/film/check_film_style \
 	tests/film/check_film_viscosity \
+	tests/flow/check_cell_owners \
 	tests/flow/check_flow \
 	tests/flow/check_flow_measures \
 	tests/flow/check_scalar \
@@ -555,6 +556,10 @@ tests_film_check_film_style_LDADD = $(tests_ldadd)
 tests_film_check_film_viscosity_SOURCES = tests/film/check_film_viscosity.c
 tests_film_check_film_viscosity_CFLAGS = $(tests_cflags)
 tests_film_check_film_viscosity_LDADD = $(tests_ldadd)
+
+tests_flow_check_cell_owners_SOURCES = tests/flow/check_cell_owners.c
+tests_flow_check_cell_owners_CFLAGS = $(tests_cflags)
+tests_flow_check_cell_owners_LDADD = $(tests_ldadd)
 
 tests_flow_check_flow_SOURCES = tests/flow/check_flow.c
 tests_flow_check_flow_CFLAGS = $(tests_cflags)

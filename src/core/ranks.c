@@ -44,16 +44,31 @@ enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct 
 		       what, ts_ranks(sim));
 }
 
-/* Whether the variable v_NAME or v_NAME[k] would have to be computed by all ranks together. One that does not exist, or has a
- * wrong formula, is refused by who reads it. */
-static bool variable_reads_all(const struct tsim *sim, const char *text)
+/* The name in v_NAME or v_NAME[k] or NAME; false: there is no such variable. */
+static bool name_of_variable(const struct tsim *sim, const char *text, char name[128])
 {
 	const struct ts_script_api *api = sim->script_api;
+
+	text += strncmp(text, "v_", 2) == 0 ? 2 : 0;
+	snprintf(name, 128, "%.*s", (int)strcspn(text, "["), text);
+	return api && api->has_variable(sim->script_api_data, name);
+}
+
+/* Whether the variable would have to be computed by all ranks together. One that does not exist, or has a wrong formula, is
+ * refused by who reads it. */
+static bool variable_reads_all(const struct tsim *sim, const char *text)
+{
 	char name[128];
 
-	snprintf(name, sizeof name, "%.*s", (int)strcspn(text + 2, "["), text + 2);
-	return api && api->has_variable(sim->script_api_data, name) &&
-	       api->reads_all(sim->script_api_data, name);
+	return name_of_variable(sim, text, name) && sim->script_api->reads_all(sim->script_api_data, name);
+}
+
+bool ts_ranks_variable_reads_fluid(const struct tsim *sim, const char *variable)
+{
+	char name[128];
+
+	return variable && name_of_variable(sim, variable, name) &&
+	       sim->script_api->reads_fluid(sim->script_api_data, name);
 }
 
 const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words)
@@ -70,13 +85,7 @@ const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_wor
 
 bool ts_ranks_variable_shared(const struct tsim *sim, const char *variable)
 {
-	char text[128];
-	struct ts_word word = { .text = text };
-
-	if (!variable)
-		return false;
-	snprintf(text, sizeof text, "%s%s", strncmp(variable, "v_", 2) == 0 ? "" : "v_", variable);
-	return ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 }) != NULL;
+	return variable && variable_reads_all(sim, variable);
 }
 
 enum ts_status ts_ranks_allow(struct tsim *sim, const struct ts_style *style, const char *what,
@@ -245,9 +254,9 @@ bool ts_ranks_set_up_whole(const struct ts_plan *plan, const struct tsim *sim)
 		if (sets_up_whole(plan->actions[TS_STAGE_SETUP][k].self, sim))
 			return true;
 	/* the limits of bonds need those of all ranks */
-	return system_is_whole(sim, true) || sim->run.shows_lists || sim->instances[TS_KIND_FLOW].n ||
-	       sim->instances[TS_KIND_BOND].n || compute_reads_lists(sim) ||
-	       stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) || review_reads_all(sim);
+	return system_is_whole(sim, true) || sim->run.shows_lists || sim->instances[TS_KIND_BOND].n ||
+	       compute_reads_lists(sim) || stage_is_due(plan, sim, TS_STAGE_OUTPUT, TS_RANKS_PARTICLES) ||
+	       review_reads_all(sim);
 }
 
 bool ts_ranks_may_pause(const struct ts_plan *plan, const struct tsim *sim)

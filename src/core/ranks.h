@@ -43,6 +43,8 @@ enum ts_status ts_ranks_refuse(struct tsim *sim, const char *what, const struct 
 const struct ts_word *ts_ranks_find_shared(const struct tsim *sim, struct ts_words words);
 /* Whether a variable, NAME or v_NAME, is such a value; NULL: no. */
 bool ts_ranks_variable_shared(const struct tsim *sim, const char *variable);
+/* Whether it depends on the fields of the fluid. */
+bool ts_ranks_variable_reads_fluid(const struct tsim *sim, const char *variable);
 /* Between two calls formulas are evaluated while the particles are divided: what depends on all of them is an error. */
 void ts_ranks_apart(struct tsim *sim, bool begins);
 /* Before a run: where a fix, the flow style or a region acts in each step by a value that depends on all particles, all ranks

@@ -40,6 +40,7 @@ struct ts_plan_report {
 	size_t nleft_out, left_out_capacity;
 	double bytes;	   /* memory of the simulation, bytes */
 	double whole;	   /* the part of it that does not depend on the particles of a rank */
+	double elsewhere;  /* the part of a grid that other ranks have */
 	bool divides_grid; /* `whole` is of some planes of the grid of a fluid */
 	/* With several ranks: what each of them sends to all others in a step besides copies of particles. */
 	struct ts_report_shared {

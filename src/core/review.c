@@ -101,15 +101,18 @@ enum ts_status ts_review_report(struct tsim *sim, const char *check, const struc
 
 /* ---- the review ---- */
 
-static enum ts_status review_styles(struct tsim *sim)
+/* Calls the reviews of all styles, or of those with these flags. */
+static enum ts_status review_styles(struct tsim *sim, unsigned with)
 {
 	for (int kind = 0; kind < TS_NKIND; kind++) {
 		const struct ts_instances *list = &sim->instances[kind];
 
-		for (size_t k = 0; k < list->n; k++)
-			if (list->item[k]->style->review)
-				TS_TRY(ts_sim_defer_error(sim,
-							  list->item[k]->style->review(list->item[k], sim)));
+		for (size_t k = 0; k < list->n; k++) {
+			struct ts_instance *inst = list->item[k];
+
+			if (inst->style->review && (inst->style->ranks & with) == with)
+				TS_TRY(ts_sim_defer_error(sim, inst->style->review(inst, sim)));
+		}
 	}
 	return TS_OK;
 }
@@ -135,6 +138,8 @@ enum ts_status ts_review_search(struct tsim *sim, int64_t steps, bool contacts)
 		if (check->run && check->contacts == contacts && r->answer[k] != TS_REVIEW_OFF)
 			status = check->run(sim);
 	}
+	if (status == TS_OK && !contacts)
+		status = review_styles(sim, TS_RANKS_REVIEW);
 	r->silent = false;
 	return status;
 }
@@ -149,7 +154,7 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 	for (int k = 0; sim->tables->checks[k].name; k++)
 		if (sim->tables->checks[k].run && r->answer[k] != TS_REVIEW_OFF)
 			TS_TRY(ts_sim_defer_error(sim, sim->tables->checks[k].run(sim)));
-	TS_TRY(review_styles(sim));
+	TS_TRY(review_styles(sim, 0));
 	r->made = true;
 	r->stale = r->stale || (sim->reading.explain && steps > 0);
 	return TS_OK;

@@ -39,6 +39,8 @@ struct ts_script_api {
 	/* Whether the value of a variable that exists is not the same on ranks with particles of their own: it depends on those
 	 * of all, on a clock or on random numbers. */
 	bool (*reads_all)(void *data, const char *variable);
+	/* Whether it depends on the fields of the fluid. */
+	bool (*reads_fluid)(void *data, const char *variable);
 	/* The words of its definition: formulas, texts, names of files; false: there is none of this name. */
 	bool (*words_of_variable)(void *data, const char *variable, struct ts_words *out);
 	/* Checks commands that will be executed later, one after the other. */

@@ -62,8 +62,9 @@ enum ts_keyword_flags {
 	TS_KEYWORD_CLOCK = 4, /* if the number of steps of the run is known */
 	TS_KEYWORD_BOX = 8,   /* if no run changes the box */
 	TS_KEYWORD_CONSTANT = 16,
-	TS_KEYWORD_LISTS = 32, /* reads lists of pairs, but no forces of contacts */
-	TS_KEYWORD_FLUID = 64, /* reads fields of the fluid only, which all ranks have */
+	TS_KEYWORD_LISTS = 32,	 /* reads lists of pairs, but no forces of contacts */
+	TS_KEYWORD_FLUID = 64,	 /* reads the fluid only */
+	TS_KEYWORD_FIELDS = 256, /* with TS_KEYWORD_FLUID: reads its fields, of which ranks have parts */
 	TS_KEYWORD_SUM =
 		128 /* while the particles are divided ranks evaluate it together, each by its own ones */
 };

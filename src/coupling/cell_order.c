@@ -5,6 +5,8 @@
 #include "base/alloc.h"
 #include "core/ranks.h"
 #include "coupling/interpolation_weights.h"
+#include "coupling/near_particles.h"
+#include "flow/near_exchange.h"
 #include "particle/division.h"
 #include "particle/particles.h"
 
@@ -16,8 +18,10 @@ static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, cons
 			 int reach)
 {
 	const struct ts_particles *p = sim->particles;
+	/* of all particles, or of those near own cells */
 	const uint64_t grid =
-		ts_cell_owners_hash(&fluid->grid, sim->division ? &sim->division->blocks : NULL);
+		ts_cell_owners_hash(&fluid->grid, sim->division ? &sim->division->blocks : NULL) +
+		fluid->near.active;
 	const bool divided = sim->division;
 	bool changed = sort->nlast != p->n || sort->grid != grid || sort->divided != divided ||
 		       (divided && sort->reach < reach);
@@ -41,43 +45,53 @@ static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, cons
 
 /* ---- rows */
 
+/* The columns of own particles, which may have other places in memory than when they were sorted. */
+static void find_columns(struct ts_cell_sort *sort, const struct ts_particles *p)
+{
+	sort->of.x = (const double(*)[3])p->x;
+	sort->of.radius = p->radius;
+	sort->of.tag = p->tag;
+	sort->of.mask = p->mask;
+}
+
 static void use_own(struct ts_cell_sort *sort, const struct ts_particles *p)
 {
-	sort->of = (struct ts_cell_rows){ .n = p->n,
-					  .own = p->n,
-					  .x = (const double(*)[3])p->x,
-					  .radius = p->radius,
-					  .tag = p->tag,
-					  .mask = p->mask };
+	sort->of = (struct ts_cell_rows){ .n = p->n, .own = p->n };
+	find_columns(sort, p);
 }
 
 /* ---- sort */
 
 enum { BATCH = 64 };
 
+/* The number of the cell of row i; -1: it is outside of the grid. */
+static int32_t find_cell(const struct ts_cell_sort *sort, const struct ts_fluid *fluid, size_t i)
+{
+	const uint64_t where = sort->where[i];
+	double place[3];
+	int cell[3];
+
+	if (!(where & TS_HALVES_ELSEWHERE))
+		for (int d = 0; d < 3; d++)
+			cell[d] = ts_halves_of(where, d) / 2;
+	else if (!ts_coupling_locate(fluid, ts_cell_rows_x(&sort->of, i), place, cell))
+		return -1;
+	return ts_cell_frame_number(&sort->frame, cell);
+}
+
 /* Of the rows from .. to - 1, BATCH at most. */
 static void find_cells_of(struct ts_cell_sort *sort, const struct ts_fluid *fluid, size_t from, size_t to)
 {
-	const int *n = fluid->grid.n;
-	double x[3][BATCH], place[3];
+	double x[3][BATCH];
 	uint64_t all[BATCH];
-	int cell[3];
 
 	for (size_t k = 0; k < BATCH; k++)
 		for (int d = 0; d < 3; d++)
 			x[d][k] = from + k < to ? ts_cell_rows_x(&sort->of, from + k)[d] : 0;
 	ts_halves_find_all(&fluid->grid, (const double *const[3]){ x[0], x[1], x[2] }, to - from, all);
 	for (size_t i = from; i < to; i++) {
-		const uint64_t where = sort->where[i] = all[i - from];
-
-		if (where & TS_HALVES_ELSEWHERE)
-			sort->cell[i] = ts_coupling_locate(fluid, ts_cell_rows_x(&sort->of, i), place, cell)
-						? (cell[2] * n[1] + cell[1]) * n[0] + cell[0]
-						: -1;
-		else
-			sort->cell[i] =
-				(ts_halves_of(where, 2) / 2 * n[1] + ts_halves_of(where, 1) / 2) * n[0] +
-				ts_halves_of(where, 0) / 2;
+		sort->where[i] = all[i - from];
+		sort->cell[i] = find_cell(sort, fluid, i);
 	}
 }
 
@@ -135,7 +149,7 @@ static enum ts_status make_room(struct ts_cell_sort *sort, size_t n, size_t ncel
 /* Finds the cells of the rows: of the own particles, then of those that other ranks send. */
 static enum ts_status make_rows(struct ts_cell_sort *sort, struct tsim *sim, struct ts_fluid *fluid, bool all)
 {
-	const size_t own = sort->of.own, ncells = ts_grid_cells(&fluid->grid);
+	const size_t own = sort->of.own, ncells = ts_cell_frame_cells(&sort->frame);
 	const struct ts_rank_blocks *blocks = sim->division ? &sim->division->blocks : NULL;
 	struct ts_cell_space space;
 
@@ -146,7 +160,7 @@ static enum ts_status make_rows(struct ts_cell_sort *sort, struct tsim *sim, str
 	if (!fluid->owners && !(fluid->owners = ts_alloc(1, sizeof *fluid->owners)))
 		return TS_NOMEM;
 	TS_TRY(ts_cell_owners_make(fluid->owners, sort->grid, &fluid->grid, blocks, all));
-	space = (struct ts_cell_space){ &fluid->grid, blocks, fluid->owners };
+	space = (struct ts_cell_space){ &fluid->grid, blocks, fluid->owners, sort->frame };
 	TS_TRY(ts_cell_senders_rows(&sort->senders, sim->world, &space, sort->reach, sort->cell, &sort->of));
 	TS_TRY(make_room(sort, sort->of.n, ncells));
 	find_cells(sort, sim, fluid, own);
@@ -161,10 +175,11 @@ bool ts_cell_order_few(double most, int ranks, size_t cells)
 }
 
 /* Between PRE_FORCE and POST_FORCE of a step no particle moves. */
-static bool agreed_in_this_step(const struct ts_cell_sort *sort, const struct tsim *sim)
+static bool agreed_in_this_step(const struct ts_cell_sort *sort, const struct tsim *sim,
+				const struct ts_fluid *fluid)
 {
 	return sim->division && !sim->run.in_setup && sort->agreed == sim->clock.step &&
-	       sort->era == sim->era;
+	       sort->era == sim->era && fluid->near.begun != sim->clock.step;
 }
 
 static enum ts_status fail_moved(struct tsim *sim)
@@ -184,23 +199,24 @@ static enum ts_status sort_again(struct ts_cell_sort *sort, struct tsim *sim, st
 	if (TS_GROW(sort->last, sort->last_capacity, sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	most[0] = note_changes(sort, sim, fluid, reach);
-	if (agreed_in_this_step(sort, sim))
+	if (agreed_in_this_step(sort, sim, fluid))
 		return most[0] > 0 ? fail_moved(sim) : TS_OK;
-	ts_ranks_most_of(sim, most, 2);
+	ts_near_particles_reach(fluid, reach);
+	TS_TRY(ts_near_particles_agree(fluid, sim, most, 2));
 	sort->agreed = sim->division && !sim->run.in_setup ? sim->clock.step : -1;
 	sort->era = sim->era;
-	if (!(most[0] > 0)) {
-		if (!sim->division)
-			use_own(sort, sim->particles);
+	find_columns(sort, sim->particles);
+	if (!(most[0] > 0))
 		return TS_OK;
-	}
 	use_own(sort, sim->particles);
-	few = sim->world && ts_cell_order_few(most[1], sim->world->n, ts_grid_cells(&fluid->grid));
+	sort->frame = ts_cell_frame_of(fluid);
+	few = sim->world && !fluid->near.active &&
+	      ts_cell_order_few(most[1], sim->world->n, ts_grid_cells(&fluid->grid));
 	if (make_rows(sort, sim, fluid, few) != TS_OK) {
 		sort->nlast = SIZE_MAX;
 		return ts_nomem(&sim->error);
 	}
-	sort_particles(sort, ts_grid_cells(&fluid->grid));
+	sort_particles(sort, ts_cell_frame_cells(&sort->frame));
 	return TS_OK;
 }
 
@@ -218,17 +234,39 @@ static struct ts_cell_sort *find_sort(struct ts_cell_order *own, const struct ts
 	return &own->own;
 }
 
+/* The last axis with more than one cell. */
+static int axis_of_slabs(const struct ts_grid *grid)
+{
+	return grid->n[2] > 1 ? 2 : grid->n[1] > 1 ? 1 : 0;
+}
+
+static int thickness(int reach)
+{
+	return 2 * reach + 2;
+}
+
+static int count_slabs(const struct ts_grid *grid, int reach)
+{
+	const int n = grid->n[axis_of_slabs(grid)] / thickness(reach);
+
+	return n > 1 ? n : 1;
+}
+
+/* Slabs of the grid, also where the frame has a part of it. */
 static void cut_slabs(struct ts_cell_order *order, const struct ts_grid *grid, int reach)
 {
-	int axis = grid->n[2] > 1 ? 2 : grid->n[1] > 1 ? 1 : 0, thick = 2 * reach + 2;
+	const struct ts_cell_frame *frame = &order->sort->frame;
+	const int axis = axis_of_slabs(grid);
 	size_t plane = 1;
 
 	for (int d = 0; d < axis; d++)
-		plane *= (size_t)grid->n[d];
-	order->nslabs = grid->n[axis] / thick > 1 ? grid->n[axis] / thick : 1;
+		plane *= (size_t)frame->n[d];
+	order->nslabs = count_slabs(grid, reach);
 	order->ring = grid->periodic[axis];
 	for (int k = 0; k < order->nslabs; k++)
-		order->slab[k] = order->sort->start[(size_t)k * (size_t)thick * plane];
+		order->slab[k] =
+			order->sort->start[plane *
+					   (size_t)ts_cell_frame_below(frame, axis, k * thickness(reach))];
 	order->slab[order->nslabs] = order->sort->n;
 }
 
@@ -237,7 +275,7 @@ enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim,
 {
 	struct ts_cell_sort *sort = find_sort(order, sim);
 
-	if (TS_GROW(order->slab, order->slab_capacity, ts_grid_cells(&fluid->grid) + 1) != TS_OK)
+	if (TS_GROW(order->slab, order->slab_capacity, (size_t)count_slabs(&fluid->grid, reach) + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	TS_TRY(sort_again(sort, sim, fluid, reach));
 	order->sort = sort;
@@ -262,13 +300,37 @@ enum ts_status ts_cell_order_share(struct ts_cell_order *order, struct tsim *sim
 	return TS_OK;
 }
 
+static enum ts_status share_cells(struct ts_cell_order *order, struct tsim *sim, double *field, bool near_too)
+{
+	struct ts_fluid *fluid = order->fluid;
+	enum ts_status status = TS_OK;
+
+	if (sim->division)
+		status = fluid->near.active
+				 ? ts_fluid_near_gather(fluid, &field, 1, near_too)
+				 : ts_cell_owners_share(fluid->owners, sim->world, &fluid->grid, &field, 1);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
 enum ts_status ts_cell_order_spread(struct ts_cell_order *order, struct tsim *sim, double *field)
 {
-	if (!sim->division)
-		return TS_OK;
-	if (ts_cell_owners_share(order->fluid->owners, sim->world, &order->fluid->grid, &field, 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	return TS_OK;
+	return share_cells(order, sim, field, true);
+}
+
+enum ts_status ts_cell_order_gather(struct ts_cell_order *order, struct tsim *sim, double *field)
+{
+	return share_cells(order, sim, field, false);
+}
+
+struct ts_cell_box ts_cell_order_box(const struct ts_cell_order *order, const struct tsim *sim)
+{
+	const struct ts_fluid *fluid = order->fluid;
+	const int *n = fluid->grid.n;
+	const struct ts_cell_box all = { { 0, 0, 0 }, { n[0], n[1], n[2] } };
+
+	if (!sim->division || fluid->owners->all)
+		return all;
+	return ts_cell_box_common(&all, &fluid->owners->box[sim->world->rank]);
 }
 
 void ts_cell_order_release(struct ts_cell_order *order)

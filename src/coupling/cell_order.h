@@ -17,8 +17,9 @@
 struct ts_cell_sort {
 	struct ts_cell_rows of;
 	struct ts_cell_senders senders; /* while the particles are divided among ranks */
+	struct ts_cell_frame frame;
 	bool divided;
-	/* indices of rows, sorted; cell of each row, or -1. Owned, as the arrays below */
+	/* indices of rows, sorted; number of the cell of each row in the frame, or -1. Owned, as the arrays below */
 	int32_t *row, *cell;
 	uint64_t *where; /* the same, and the half of the cell: ts_halves_of */
 	size_t *start;	 /* of each cell: its first index in `row` */
@@ -93,9 +94,14 @@ static inline const double *ts_cell_numbers_of(const struct ts_cell_numbers *num
  * call it, and send what others need. */
 enum ts_status ts_cell_order_share(struct ts_cell_order *order, struct tsim *sim, const double *mine,
 				   size_t stride, size_t width, struct ts_cell_numbers *out);
-/* While the particles are divided all ranks call it after `add`: each gets the values of all cells from the ranks that have
- * them. */
+/* While the particles are divided all ranks call it after `add`: each gets the values of the cells that it needs from the
+ * ranks that have them (flow/fluid_near.h), or of all. */
 enum ts_status ts_cell_order_spread(struct ts_cell_order *order, struct tsim *sim, double *field);
+/* The same for sources of the fluid, which particles do not read: it needs those of its planes. */
+enum ts_status ts_cell_order_gather(struct ts_cell_order *order, struct tsim *sim, double *field);
+
+/* The cells that this rank adds to completely: all, or its own ones. */
+struct ts_cell_box ts_cell_order_box(const struct ts_cell_order *order, const struct tsim *sim);
 
 /* Calls `add` for rows of particles of the group, at most TS_CELL_ORDER_ROWS at once, in their order, in parallel for
  * particles that add to different cells. */

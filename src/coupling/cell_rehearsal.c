@@ -15,6 +15,7 @@ struct rehearsal {
 	struct ts_world world; /* its rank: the present one */
 	int sorts;	       /* how often particles are sorted in a step, and sent for it */
 	int reach;	       /* number of cells to which they add beyond their own */
+	bool near;	       /* what they add is counted elsewhere */
 	struct ts_cell_owners owners;
 	struct ts_cell_senders senders;
 	/* Particles by rank: those of rank r are first[r] .. first[r + 1] - 1. Owned, as the arrays below */
@@ -99,7 +100,8 @@ static enum ts_status make_owners(struct rehearsal *r)
 		if ((double)r->layout->part[k].particles > most)
 			most = (double)r->layout->part[k].particles;
 	return ts_cell_owners_make(&r->owners, 0, &r->fluid->grid, &r->layout->blocks,
-				   ts_cell_order_few(most, r->layout->ranks, ts_grid_cells(&r->fluid->grid)));
+				   !r->near && ts_cell_order_few(most, r->layout->ranks,
+								 ts_grid_cells(&r->fluid->grid)));
 }
 
 /* ---- what the present rank sends */
@@ -109,7 +111,7 @@ static void send_cells(struct rehearsal *r, int fields)
 {
 	const size_t cells = ts_cell_owners_count(&r->owners, r->world.rank);
 
-	if (!fields || !cells || r->owners.all)
+	if (!fields || !cells || r->owners.all || r->near)
 		return;
 	r->world.counts.messages++;
 	r->world.counts.bytes += (int64_t)((size_t)fields * sizeof(double) * cells);
@@ -139,7 +141,7 @@ static void send_fields(struct rehearsal *r)
 
 	for (size_t k = 0; (part = next_part(r->sim, &k));) {
 		reacts |= part->sends.reaction;
-		for (int f = 0; f < part->sends.fields; f++)
+		for (int f = 0; f < part->sends.fields + part->sends.sums; f++)
 			send_cells(r, 1);
 	}
 	for (int d = 0; d < 3 && reacts; d++)
@@ -157,7 +159,8 @@ static enum ts_status send_all(struct rehearsal *r)
 				     .tag = r->tag + from,
 				     .mask = r->mask + from };
 
-	const struct ts_cell_space space = { &r->fluid->grid, &r->layout->blocks, &r->owners };
+	const struct ts_cell_space space = { &r->fluid->grid, &r->layout->blocks, &r->owners,
+					     ts_cell_frame_of_grid(&r->fluid->grid) };
 
 	for (int k = 0; k < r->sorts; k++)
 		TS_TRY(ts_cell_senders_rows(&r->senders, &r->world, &space, r->reach, r->cell + from, &rows));
@@ -186,10 +189,10 @@ static enum ts_status rehearse(struct rehearsal *r, int64_t steps, struct ts_wor
 }
 
 enum ts_status ts_cell_rehearse(struct tsim *sim, const struct ts_fluid *fluid,
-				const struct ts_rank_layout *layout, int64_t steps,
+				const struct ts_rank_layout *layout, int64_t steps, bool near,
 				struct ts_world_counts *sent)
 {
-	struct rehearsal r = { .sim = sim, .fluid = fluid, .layout = layout };
+	struct rehearsal r = { .sim = sim, .fluid = fluid, .layout = layout, .near = near };
 	enum ts_status status = TS_OK;
 	size_t k = 0;
 

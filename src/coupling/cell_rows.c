@@ -11,9 +11,10 @@
 static enum ts_status make_senders(struct ts_cell_senders *s, const struct ts_cell_space *space, int reach)
 {
 	const struct ts_cell_owners *owners = space->owners;
-	const size_t ncells = ts_grid_cells(space->grid), ranks = (size_t)owners->ranks;
+	const size_t ncells = ts_cell_frame_cells(&space->frame), ranks = (size_t)owners->ranks;
 
-	if (s->ranks == owners->ranks && s->reach == reach && s->made_for == owners->made_for)
+	if (s->ranks == owners->ranks && s->reach == reach && s->made_for == owners->made_for &&
+	    s->cells == ncells)
 		return TS_OK;
 	s->ranks = 0; /* until it is made */
 	TS_TRY(TS_GROW(s->cell, s->cell_capacity, ncells));
@@ -25,6 +26,7 @@ static enum ts_status make_senders(struct ts_cell_senders *s, const struct ts_ce
 	s->nother = 0;
 	s->made_for = owners->made_for;
 	s->reach = reach;
+	s->cells = ncells;
 	s->ranks = owners->ranks;
 	return TS_OK;
 }
@@ -76,13 +78,14 @@ static enum ts_status find_others(struct ts_cell_senders *s, const struct ts_cel
 				  int32_t cell, struct ts_cell_others *others)
 {
 	const struct ts_grid *grid = space->grid;
-	const int *n = grid->n, at[3] = { cell % n[0], cell / n[0] % n[1], cell / n[0] / n[1] };
-	int from[3], to[3];
+	const int *n = grid->n;
+	int at[3], from[3], to[3];
 
 	*others = (struct ts_cell_others){ .first = (int32_t)s->nother };
 	for (int r = 0; space->owners->all && r < space->owners->ranks; r++)
 		if (r != own)
 			TS_TRY(add_other(s, others, r));
+	ts_cell_frame_cell(&space->frame, cell, at);
 	for (int d = 0; d < 3; d++)
 		span(grid, d, at[d], s->reach, &from[d], &to[d]);
 	if (space->owners->all || lies_in(&space->owners->box[own], from, to))

@@ -4,7 +4,7 @@
 #define TS_COUPLING_CELL_ROWS_H
 
 #include "core/sim.h"
-#include "flow/cell_owners.h"
+#include "coupling/cell_frame.h"
 
 /* Of a particle of another rank. */
 struct ts_cell_row {
@@ -47,6 +47,7 @@ static inline uint32_t ts_cell_rows_mask(const struct ts_cell_rows *rows, size_t
 struct ts_cell_senders {
 	uint64_t made_for; /* hash of the grid and the blocks, as of the owners */
 	int reach, ranks;
+	size_t cells; /* of the frame */
 	/* Of each cell: the other ranks with a cell at most `reach` cells from it, others[first] on; n -1: not known yet.
 	 * Owned, as the arrays below. */
 	struct ts_cell_others {
@@ -65,9 +66,10 @@ struct ts_cell_space {
 	const struct ts_grid *grid;
 	const struct ts_rank_blocks *blocks;
 	const struct ts_cell_owners *owners;
+	struct ts_cell_frame frame; /* numbers of cells */
 };
 
-/* Sends the particles of this rank, which are in these cells (-1: in none), and sets rows->other. */
+/* Sends the particles of this rank, which are in the cells with these numbers (-1: in none), and sets rows->other. */
 enum ts_status ts_cell_senders_rows(struct ts_cell_senders *senders, struct ts_world *world,
 				    const struct ts_cell_space *space, int reach, const int32_t *cell,
 				    struct ts_cell_rows *rows);

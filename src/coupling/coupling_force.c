@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "coupling/near_particles.h"
 #include "coupling/outside_grid.h"
 #include "coupling/reactions.h"
 #include "particle/particles.h"
@@ -33,10 +34,12 @@ enum ts_status ts_coupling_force_init(struct ts_instance *self, struct tsim *sim
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "%s needs a fluid with a density: give flow_style %s one", who,
 			       s->flow->style->name);
-	s->part.sends = (struct ts_flow_part_sends){ .particles = false };
+	s->part.sends = (struct ts_flow_part_sends){ .nearby = true };
 	if (!s->fluid || !s->two_way || style->internal)
 		return TS_OK;
-	s->part.sends = (struct ts_flow_part_sends){ .particles = true, .numbers = 3, .reaction = true };
+	s->part.sends = (struct ts_flow_part_sends){
+		.particles = true, .numbers = 3, .reaction = true, .nearby = true
+	};
 	return ts_fluid_require_fields(s->fluid, sim, TS_FLUID_FORCE);
 }
 
@@ -190,6 +193,7 @@ enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsi
 	int64_t tag = INT64_MAX;
 	size_t outside = 0;
 
+	TS_TRY(ts_near_particles_ready(s->fluid, sim));
 	TS_TRY(ts_particle_tally_start_unset(sim, &s->total));
 #pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static) reduction(+ : outside) \
 	reduction(min : tag)

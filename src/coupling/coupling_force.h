@@ -62,9 +62,9 @@ enum ts_status ts_coupling_force_archive(struct ts_instance *self, struct tsim *
 enum ts_status ts_coupling_force_join(struct ts_instance *self, struct tsim *sim);
 void ts_coupling_force_fini(struct ts_instance *self);
 
-#define TS_COUPLING_FORCE_SLOTS                                                                        \
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS, .join = ts_coupling_force_join, .kind = TS_KIND_FIX, \
-	.family = TS_FAMILY_FLOW_PART, .values = ts_coupling_force_values,                             \
-	.hook = { [TS_STAGE_POST_FORCE] = ts_coupling_force_post_force }
+#define TS_COUPLING_FORCE_SLOTS                                                             \
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS | TS_RANKS_REVIEW,      \
+	.join = ts_coupling_force_join, .kind = TS_KIND_FIX, .family = TS_FAMILY_FLOW_PART, \
+	.values = ts_coupling_force_values, .hook = { [TS_STAGE_POST_FORCE] = ts_coupling_force_post_force }
 
 #endif

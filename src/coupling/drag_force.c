@@ -7,6 +7,7 @@
 #include "core/sim.h"
 #include "coupling/drag_exchange.h"
 #include "coupling/drag_slip.h"
+#include "coupling/near_particles.h"
 #include "coupling/outside_grid.h"
 #include "integrate/integrators.h"
 #include "particle/particles.h"
@@ -84,12 +85,12 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_fluid_require_fields(s->fluid, sim,
 					       s->lagged ? TS_FLUID_FORCE
 							 : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
-	s->part.sends = (struct ts_flow_part_sends){ .particles = false };
+	s->part.sends = (struct ts_flow_part_sends){ .nearby = true };
 	if (s->fluid && s->two_way) {
 		s->part.order = &s->order;
-		s->part.sends = (struct ts_flow_part_sends){ .particles = true,
-							     .numbers = s->lagged ? 3 : 6,
-							     .reaction = true };
+		s->part.sends = (struct ts_flow_part_sends){
+			.particles = true, .numbers = s->lagged ? 3 : 6, .reaction = true, .nearby = true
+		};
 	}
 	s->added = ts_added_mass_find(sim);
 	TS_TRY(find_relaxing_drags(self, sim));
@@ -301,6 +302,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
 		s->sorted = true;
 	}
+	TS_TRY(ts_near_particles_ready(s->fluid, sim));
 	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
 	TS_TRY(ts_particle_tally_start_unset(sim, &s->total)); /* set with each particle */
 	s->alone = acts_alone(s);

@@ -157,9 +157,9 @@ enum ts_status ts_drag_join(struct ts_instance *self, struct tsim *sim);
 void ts_drag_fini(struct ts_instance *self);
 
 #define TS_DRAG_SLOTS                                                                                        \
-	.kind = TS_KIND_FIX, .ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS, .join = ts_drag_join,                 \
-	.family = TS_FAMILY_FLOW_PART, .state_size = sizeof(struct ts_drag), .init = ts_drag_init,           \
-	.archive = ts_drag_archive, .values = ts_drag_values,                                                \
+	.kind = TS_KIND_FIX, .ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS,                    \
+	.join = ts_drag_join, .family = TS_FAMILY_FLOW_PART, .state_size = sizeof(struct ts_drag),           \
+	.init = ts_drag_init, .archive = ts_drag_archive, .values = ts_drag_values,                          \
 	.hook = { [TS_STAGE_POST_FORCE] = ts_drag_post_force }, .late = { [TS_LATE_RELAX] = ts_drag_relax }, \
 	.is_late = ts_drag_is_late, .plan = ts_drag_report_limits, .fini = ts_drag_fini
 

@@ -2,10 +2,11 @@
 #include "coupling/drag_force.h"
 
 #include <math.h>
-#include <string.h>
 
+#include "core/ranks.h"
 #include "core/report.h"
 #include "coupling/drag_slip.h"
+#include "coupling/near_particles.h"
 #include "flow/projection.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"
@@ -36,7 +37,7 @@ static void sum_coefficients(const struct ts_instance *self, const struct tsim *
 	const struct ts_fluid *fluid = s->fluid;
 	const struct ts_particles *p = sim->particles;
 
-	memset(k, 0, fluid->grid.size * sizeof *k);
+	ts_grid_field_clear(k, 0, fluid->grid.size);
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_slip slip = { .density = fluid->density, .viscosity = fluid->viscosity };
 		struct ts_coupling_weights weights[3];
@@ -139,9 +140,15 @@ enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
 				     struct ts_plan_report *report)
 {
 	const struct ts_drag *s = self->state;
-	const struct relaxation_times t = relaxation_times_of(self, sim);
+	struct relaxation_times t;
+	struct ts_fluid *fluid;
 
-	if (s->fluid && s->two_way && !report->limits_only)
+	if (s->fluid && !sim->division) /* at all particles */
+		TS_TRY(ts_flow_require_fields(sim, self->style->name, &self->where, &fluid));
+	TS_TRY(ts_near_particles_ready(s->fluid, sim));
+	t = relaxation_times_of(self, sim);
+	t.largest = ts_ranks_most(sim, t.largest);
+	if (s->fluid && s->two_way && !report->limits_only && ts_ranks_first(sim))
 		warn_of_cells(self, sim, t.largest);
 	TS_TRY(limit_lagged(self, sim, t.least, report));
 	if (isinf(t.least))

@@ -1,8 +1,11 @@
 #include "coupling/added_mass.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "core/ranks.h"
+#include "flow/fluid_slabs.h"
 #include "force/restraint.h"
 #include "group/group_members.h"
 #include "particle/particles.h"
@@ -96,24 +99,61 @@ static enum ts_status apply_inertia(struct ts_instance *self, struct tsim *sim)
 	return ts_coupling_force_add_to_fluid(self, sim);
 }
 
+static void store_acceleration(struct state *s, const struct ts_fluid *fluid, int c, double dt, bool known)
+{
+	double *last = s->last[c], *rate = s->rate[c];
+	const double *u = fluid->u[c];
+
+	for (int range = 0; range < ts_fluid_ranges(fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
+		for (size_t k = first; k < end; k++) {
+			rate[k] = known ? (u[k] - last[k]) / dt : 0;
+			last[k] = u[k];
+		}
+	}
+}
+
 static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct tsim *sim,
 					       struct ts_fluid *fluid, double dt)
 {
 	struct state *s = self->state;
-	size_t size = fluid->grid.size;
-	bool known = s->size == size;
 
+	(void)sim;
+	for (int c = 0; c < 3; c++)
+		store_acceleration(s, fluid, c, dt, s->size > 0);
+	s->size = fluid->grid.size;
+	return TS_OK;
+}
+
+/* For another grid: they are not known before the next step of the fluid. */
+static enum ts_status make_fields(struct state *s, struct tsim *sim)
+{
+	const struct ts_fluid *fluid = s->mass.force.fluid;
+	const size_t size = fluid && s->accelerates ? fluid->grid.size : 0;
+
+	if (s->size == size)
+		return TS_OK;
+	s->size = 0;
 	for (int c = 0; c < 3; c++) {
 		if (TS_GROW(s->last[c], s->capacity[0][c], size) != TS_OK ||
 		    TS_GROW(s->rate[c], s->capacity[1][c], size) != TS_OK)
 			return ts_nomem(&sim->error);
-		for (size_t k = 0; k < size; k++) {
-			s->rate[c][k] = known ? (fluid->u[c][k] - s->last[c][k]) / dt : 0;
-			s->last[c][k] = fluid->u[c][k];
-		}
+		ts_grid_field_clear(s->last[c], 0, size);
+		ts_grid_field_clear(s->rate[c], 0, size);
 	}
-	s->size = size;
 	return TS_OK;
+}
+
+static void list_fields(struct ts_instance *self, struct ts_flow_part_fields *out)
+{
+	struct state *s = self->state;
+
+	for (int c = 0; c < 3 && s->mass.force.part.after_substep; c++) {
+		out->plane[c] = s->last[c];
+		out->near[c] = s->rate[c];
+	}
 }
 
 /* Refuses two of these fixes on one particle, as each would count the force of the other as an
@@ -122,21 +162,25 @@ static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_instance *other;
+	double member = INFINITY; /* the least of all ranks */
 
 	for (size_t k = 0; (other = ts_flow_part_named(sim, "added_mass", &k));)
-		if (other != self && ts_groups_meet(p, other->group, self->group))
+		if (other != self && ts_ranks_most(sim, ts_groups_meet(p, other->group, self->group)) > 0)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix added_mass: fix %s (line %d) gives particles of this group an "
 				       "added mass already: a particle can have one",
 				       other->id, other->where.line);
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group) && ts_rigid_member(p, i))
-			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix added_mass: particle %lld belongs to a rigid body, which does "
-				       "not follow the force on one of its spheres: use a group without "
-				       "bodies",
-				       (long long)p->tag[i]);
-	return TS_OK;
+			member = fmin(member, p->tag[i]);
+	member = -ts_ranks_most(sim, -member);
+	if (isinf(member))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix added_mass: particle %.0f belongs to a rigid body, which does not follow the "
+		       "force on one of "
+		       "its spheres: use a group without bodies",
+		       member);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -148,9 +192,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, true));
 	s->mass.force.part.after_substep =
 		s->mass.force.fluid && s->accelerates ? store_fluid_acceleration : NULL;
-	if (!s->mass.force.fluid || s->size != s->mass.force.fluid->grid.size)
-		s->size = 0;
-	return TS_OK;
+	s->mass.force.part.fields = list_fields;
+	return make_fields(s, sim);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -159,6 +202,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 						 { "ratex", "ratey", "ratez" } };
 	struct state *s = self->state;
 
+	ts_flow_complete(sim);
 	TS_TRY(ts_coupling_force_archive(self, sim, a));
 	for (int c = 0; c < 3; c++) {
 		TS_TRY(ts_archive_array(a, names[0][c], TS_SAVED_F64, (void **)&s->last[c],

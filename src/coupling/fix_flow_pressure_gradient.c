@@ -175,6 +175,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	bool whole;
 
 	TS_TRY(ts_coupling_force_init(self, sim));
+	s->force.part.sends.pressure = true;
 	s->void_fix = find_void_fix(sim);
 	whole = s->void_fix && ts_streq(s->force.flow->style->family, TS_FAMILY_PROJECTION) &&
 		((const struct ts_projection *)s->force.flow->state)->form == TS_FORM_CONSERVATIVE;

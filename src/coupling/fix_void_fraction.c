@@ -7,9 +7,11 @@
 
 #include "coupling/cell_order.h"
 #include "coupling/interpolation_weights.h"
+#include "coupling/near_particles.h"
 #include "coupling/volume_batch.h"
 #include "coupling/volume_distribution.h"
 #include "flow/flow.h"
+#include "flow/near_exchange.h"
 #include "math/exactsum.h"
 #include "particle/particles.h"
 
@@ -164,34 +166,65 @@ static enum ts_status check_reach(struct ts_instance *self, struct tsim *sim, do
 		       largest, TS_VOLUME_MAX_CELLS);
 }
 
-static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
+struct limited {
+	double least;
+	int64_t cells;
+};
+
+/* In a row of cells: 1 - e, not less than the least. */
+static void limit_row(double *e, int n, double lowest, struct limited *found)
 {
-	struct state *s = self->state;
+	for (int i = 0; i < n; i++) {
+		e[i] = 1 - e[i];
+		found->least = fmin(found->least, e[i]);
+		if (e[i] < lowest) {
+			e[i] = lowest;
+			found->cells++;
+		}
+	}
+}
+
+static struct limited limit_cells(const struct state *s, const struct tsim *sim,
+				  const struct ts_cell_box *box)
+{
 	const struct ts_grid *grid = &s->fluid->grid;
+	const int n = box->to[0] - box->from[0], height = box->to[1] - box->from[1];
+	const int rows = ts_cell_box_size(box) ? height * (box->to[2] - box->from[2]) : 0;
 	double least = 1;
 	int64_t cells = 0;
 
-#pragma omp parallel for num_threads(ts_team(sim, ts_grid_cells(grid))) schedule(static)           \
-	reduction(min : least) reduction(+ : cells)
-	for (int line = 0; line < grid->n[1] * grid->n[2]; line++) {
-		double *e = s->fluid->void_fraction + ts_at(grid, 0, line % grid->n[1], line / grid->n[1]);
+#pragma omp parallel for num_threads(ts_team(sim, ts_cell_box_size(box))) schedule(static)           	reduction(min : least) reduction(+ : cells)
+	for (int line = 0; line < rows; line++) {
+		struct limited found = { least, 0 };
 
-		for (int i = 0; i < grid->n[0]; i++) {
-			e[i] = 1 - e[i];
-			least = fmin(least, e[i]);
-			if (e[i] < s->least) {
-				e[i] = s->least;
-				cells++;
-			}
-		}
+		limit_row(s->fluid->void_fraction + ts_at(grid, box->from[0], box->from[1] + line % height,
+							  box->from[2] + line / height),
+			  n, s->least, &found);
+		least = found.least;
+		cells += found.cells;
 	}
-	s->found = least;
-	if (cells && !s->warned && ts_ranks_first(sim))
+	return (struct limited){ least, cells };
+}
+
+/* Of the cells to which this rank has added all particles. */
+static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_cell_box box = ts_cell_order_box(&s->order, sim);
+	struct limited found = limit_cells(s, sim, &box);
+
+	found.least = -ts_ranks_most(sim, -found.least);
+	s->found = found.least;
+	if (!(found.least < s->least) || s->warned)
+		return;
+	s->warned = true;
+	if (sim->division && !s->fluid->owners->all)
+		ts_ranks_sums(sim, &found.cells, 1);
+	if (ts_ranks_first(sim))
 		ts_warn(&sim->log, &self->where,
 			"fix void_fraction: %lld cells have a void fraction down to %g, below `least` %g, "
 			"which is used instead (printed once)",
-			(long long)cells, least, s->least);
-	s->warned |= cells > 0;
+			(long long)found.cells, found.least, s->least);
 }
 
 /* Whether particles have moved or changed since the field was computed: a fixed bed costs nothing. *largest: radius. */
@@ -222,7 +255,7 @@ static enum ts_status compare_particles(struct ts_instance *self, struct tsim *s
 	}
 	most[0] = changed;
 	most[1] = radius;
-	ts_ranks_most_of(sim, most, 2);
+	TS_TRY(ts_near_particles_agree(s->fluid, sim, most, 2));
 	*moved = most[0] > 0;
 	*largest = most[1];
 	return TS_OK;
@@ -237,12 +270,14 @@ static enum ts_status make_field(struct ts_instance *self, struct tsim *sim, dou
 
 	TS_TRY(check_reach(self, sim, largest, &reach));
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
-	memset(s->fluid->void_fraction, 0, s->fluid->grid.size * sizeof *s->fluid->void_fraction);
+	ts_fluid_clear(s->fluid, s->fluid->void_fraction);
 	ts_cell_order_each_rows(&s->order, ts_team(sim, s->order.sort->of.n),
 				batches ? add_rows_in_batches : add_rows, &context);
-	TS_TRY(ts_cell_order_spread(&s->order, sim, s->fluid->void_fraction));
 	limit_void_fraction(self, sim);
+	TS_TRY(ts_cell_order_spread(&s->order, sim, s->fluid->void_fraction));
 	ts_fluid_fill_centred(s->fluid, s->fluid->void_fraction);
+	if (s->fluid->near.active)
+		ts_fluid_near_fill_centred(s->fluid, s->fluid->void_fraction);
 	return TS_OK;
 }
 
@@ -265,7 +300,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
 	s->part.volume_distribution = volume_distribution;
 	s->part.order = &s->order;
-	s->part.sends = (struct ts_flow_part_sends){ .particles = true, .fields = 1 };
+	s->part.sends = (struct ts_flow_part_sends){ .particles = true, .fields = 1, .nearby = true };
 	s->sim = sim;
 	s->nlast = 0;
 	TS_TRY(compare_particles(self, sim, &moved, &largest));
@@ -283,7 +318,7 @@ static const struct ts_saved saved[] = {
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const struct ts_fluid *fluid = ts_flow_fluid(sim);
+	struct ts_fluid *fluid = ts_flow_fluid(sim);
 	const struct ts_grid *grid;
 	struct ts_exactsum empty = ts_exactsum_start(), all = ts_exactsum_start();
 
@@ -291,6 +326,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		return ts_fail(&s->sim->error, TS_STATE, &self->where,
 			       "fix void_fraction: the flow style has been replaced, and there is no void "
 			       "fraction before the next run");
+	TS_TRY(ts_flow_require_fields(s->sim, "fix void_fraction", &self->where, &fluid));
 	grid = &fluid->grid;
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)
@@ -344,7 +380,7 @@ TS_STYLE(fix, ts_style, ts_fix_void_fraction)
 const struct ts_style ts_fix_void_fraction = {
 	.name = "void_fraction",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS,
 	.summary = "Void fraction: the part of each cell that is not occupied by particles",
 	.doc = "e = 1 - (volume of particles in the cell)/(volume of the cell). It enters the equations of "
 	       "the fluid, de/dt + div(e u) = 0 and e rho (du/dt + u.grad u) = -e grad p + ..., with u the "

@@ -175,7 +175,7 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 	struct ts_str text = { 0 };
 
 	share = fmin(share, 1);
-	own = report->whole + share * (report->bytes - report->whole);
+	own = report->whole + share * (report->bytes - report->whole - report->elsewhere);
 	ts_str_add(&text, "  all ranks agree once a step, some times more in a rebuild and at outputs\n  "
 			  "memory of a rank about ");
 	ts_price_bytes(own, &text);
@@ -183,9 +183,8 @@ static void print_cost(struct tsim *sim, const struct ts_plan_report *report,
 	ts_price_bytes(own + (1 - share) * columns, &text);
 	ts_str_add(&text, " in set-up and at outputs of particles,\n  ");
 	ts_price_bytes(report->bytes, &text);
-	ts_str_add(&text,
-		   " at outputs of contacts, in set-up with bonds, a fluid or clumps to insert, and before "
-		   "another command\n");
+	ts_str_add(&text, " at outputs of contacts, in set-up with bonds or clumps to insert, and before "
+			  "another command\n");
 	if (report->whole > 0)
 		ts_str_add(&text, report->divides_grid
 					  ? "  every rank has some planes of the grid of the fluid\n"

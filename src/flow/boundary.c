@@ -255,13 +255,23 @@ static double velocity_across(const struct ts_fluid *fluid, int d, enum ts_grid_
 			       : given->constant[d];
 }
 
-/* Whether nothing flows through a face. */
+/* Whether nothing flows through a face, at any time. */
 static bool is_tight(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
 {
 	const struct ts_flow_face_velocity *given = &fluid->face_velocity[d][side];
 
-	return ts_fluid_divided(fluid) &&
-	       (fluid->face[d][side] == TS_FLOW_SLIP || (!given->plane[d] && given->constant[d] == 0));
+	return fluid->face[d][side] == TS_FLOW_SLIP || (!given->plane[d] && given->constant[d] == 0);
+}
+
+bool ts_projection_is_tight(const struct ts_projection *p)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	bool tight = true;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
+			tight &= is_tight(&p->fluid, d, (enum ts_grid_side)side);
+	return tight;
 }
 
 /* Returns the outward volume flow through one face of the grid; adds the sum of magnitudes to *size. */
@@ -273,7 +283,7 @@ static double face_outflow(const struct ts_fluid *fluid, int d, enum ts_grid_sid
 		ts_at(grid, 0, 0, 0) + (side == TS_LOW ? 0 : (size_t)(grid->n[d] * grid->stride[d]));
 	double sum = 0;
 
-	if (is_tight(fluid, d, side))
+	if (ts_fluid_divided(fluid) && is_tight(fluid, d, side))
 		return 0;
 	for (int ib = 0; ib < grid->n[b]; ib++)
 		for (int ia = 0; ia < grid->n[a]; ia++) {
@@ -316,7 +326,7 @@ enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *
 	static const double UNEVEN = 1e-9; /* relative imbalance that is not round-off */
 	struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
-	double net = 0, size = 0, volume = 1;
+	double net = 0, size = 0, volume = 1, change;
 
 	*mean = 0;
 	if (!p->poisson.singular)
@@ -332,6 +342,8 @@ enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *
 			       net < 0 ? "leave" : "come in", net < 0 ? "in" : "out", fabs(net));
 	for (int d = 0; d < 3; d++)
 		volume *= grid->face[d][grid->n[d]] - grid->face[d][0];
-	*mean = (net + ts_projection_void_rate_integral(p)) / volume;
+	if (ts_projection_void_rate_integral(p, &change) != TS_OK)
+		return ts_nomem(&sim->error);
+	*mean = (net + change) / volume;
 	return TS_OK;
 }

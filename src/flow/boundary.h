@@ -54,6 +54,8 @@ enum ts_status ts_projection_archive_boundary(struct ts_projection *projection, 
 /* Net outward flow through the whole boundary per volume of the grid (1/time), by the velocities given; an
  * error if no face is open and it is not zero. */
 enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *sim, double *mean);
+/* Whether nothing flows through any face, at any time, but those that are periodic. */
+bool ts_projection_is_tight(const struct ts_projection *projection);
 
 /* ---- boundary_formula.c */
 

@@ -149,51 +149,44 @@ void ts_cell_owners_release(struct ts_cell_owners *o)
 /* ---- values of all cells */
 
 static enum ts_status pack(struct ts_cell_owners *o, int rank, const struct ts_grid *grid,
-			   double *const *field, size_t n, size_t fields)
+			   double *const *field, size_t n)
 {
 	double *to;
 
 	o->mine.n = 0;
-	to = (double *)(void *)ts_parcel_extend(&o->mine,
-						ts_cell_owners_count(o, rank) * fields * sizeof *to);
+	to = (double *)(void *)ts_parcel_extend(&o->mine, ts_cell_owners_count(o, rank) * n * sizeof *to);
 	if (!to)
 		return TS_NOMEM;
 	for (size_t f = 0; f < n; f++)
-		if (field[f])
-			to = ts_cell_box_pack(grid, &o->box[rank], field[f], to);
+		to = ts_cell_box_pack(grid, &o->box[rank], field[f], to);
 	return TS_OK;
 }
 
 static void unpack(const struct ts_cell_owners *o, int own, const struct ts_grid *grid, double *const *field,
-		   size_t n, size_t fields)
+		   size_t n)
 {
 	const double *from = (const double *)(const void *)o->shared.data;
 
 	for (int r = 0; r < o->ranks; r++) {
 		if (r == own) {
-			from += fields * ts_cell_owners_count(o, r);
+			from += n * ts_cell_owners_count(o, r);
 			continue;
 		}
 		for (size_t f = 0; f < n; f++)
-			if (field[f])
-				from = ts_cell_box_unpack(grid, &o->box[r], from, field[f]);
+			from = ts_cell_box_unpack(grid, &o->box[r], from, field[f]);
 	}
 }
 
 enum ts_status ts_cell_owners_share(struct ts_cell_owners *o, struct ts_world *world,
 				    const struct ts_grid *grid, double *const *field, size_t n)
 {
-	size_t fields = 0;
-
-	for (size_t f = 0; f < n; f++)
-		fields += field[f] != NULL;
-	if (o->all || !fields)
+	if (o->all || !n)
 		return TS_OK;
 	for (int r = 0; r < o->ranks; r++)
-		o->size[r] = fields * sizeof(double) * ts_cell_owners_count(o, r);
-	TS_TRY(pack(o, world->rank, grid, field, n, fields));
+		o->size[r] = n * sizeof(double) * ts_cell_owners_count(o, r);
+	TS_TRY(pack(o, world->rank, grid, field, n));
 	o->shared.n = 0;
 	TS_TRY(ts_world_share_known(world, &o->mine, o->size, &o->shared));
-	unpack(o, world->rank, grid, field, n, fields);
+	unpack(o, world->rank, grid, field, n);
 	return TS_OK;
 }

@@ -19,8 +19,8 @@ size_t ts_cell_box_size(const struct ts_cell_box *box);
 /* Copies the values of the points of a box to, or from, size of them in a row; returns where these end. */
 double *ts_cell_box_pack(const struct ts_grid *grid, const struct ts_cell_box *box, const double *field,
 			 double *to);
-const double *ts_cell_box_unpack(const struct ts_grid *grid, const struct ts_cell_box *box, const double *from,
-				 double *field);
+const double *ts_cell_box_unpack(const struct ts_grid *grid, const struct ts_cell_box *box,
+				 const double *from, double *field);
 
 /* Zero-initialise; ts_cell_owners_release when done. */
 struct ts_cell_owners {
@@ -46,7 +46,7 @@ static inline size_t ts_cell_owners_count(const struct ts_cell_owners *owners, i
 	return ts_cell_box_size(&owners->box[rank]);
 }
 
-/* All ranks call it: n fields get the values of the cells of other ranks. NULL: no field. */
+/* All ranks call it: n fields get the values of the cells of other ranks. */
 enum ts_status ts_cell_owners_share(struct ts_cell_owners *owners, struct ts_world *world,
 				    const struct ts_grid *grid, double *const *field, size_t n);
 

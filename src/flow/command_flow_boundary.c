@@ -117,6 +117,7 @@ TS_STYLE(command, ts_command_style, ts_command_flow_boundary)
 const struct ts_command_style ts_command_flow_boundary = {
 	.style = { .name = "flow_boundary",
 		   .kind = TS_KIND_COMMAND,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .summary = "Sets the boundary conditions on a face of the fluid's grid",
 		   .doc = "Must follow flow_style projection. Faces for which no condition is given are\n"
 			  "periodic if the box is periodic there, else walls at rest.\n\n"

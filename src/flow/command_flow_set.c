@@ -79,6 +79,7 @@ TS_STYLE(command, ts_command_style, ts_command_flow_set)
 const struct ts_command_style ts_command_flow_set = {
 	.style = { .name = "flow_set",
 		   .kind = TS_KIND_COMMAND,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .summary = "Sets the initial velocity of the fluid",
 		   .doc = "Each component is evaluated at its own points, the faces of the cells. The field\n"
 			  "is then projected onto a field without divergence, so flow_boundary must precede\n"

@@ -59,6 +59,7 @@ TS_STYLE(command, ts_command_style, ts_command_flow_style)
 const struct ts_command_style ts_command_flow_style = {
 	.style = { .name = "flow_style",
 		   .kind = TS_KIND_COMMAND,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .summary = "Selects the fluid around the particles",
 		   .doc = "Replaces the present flow style. Without a flow style there is no fluid, and "
 			  "drag\n"

@@ -35,8 +35,16 @@ enum ts_status ts_flow_require_fields(struct tsim *sim, const char *who, const s
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "%s needs the fluid within a step, when each rank has a part of the grid only",
 			       who);
-	ts_flow_style_of(flow)->complete(flow);
+	ts_flow_style_of(flow)->complete(flow, sim);
 	return TS_OK;
+}
+
+void ts_flow_complete(const struct tsim *sim)
+{
+	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+
+	if (flow && ts_flow_style_of(flow)->fluid)
+		ts_flow_style_of(flow)->complete(flow, sim);
 }
 
 struct ts_fluid *ts_flow_fluid(const struct tsim *sim)

@@ -5,6 +5,7 @@
 #include "core/sim.h"
 
 struct ts_fluid;
+struct ts_rank_blocks;
 
 struct ts_flow_style {
 	struct ts_style style;
@@ -16,7 +17,9 @@ struct ts_flow_style {
 	 * not change it. */
 	struct ts_fluid *(*fluid)(const struct ts_instance *self);
 	/* All ranks call it: each gets the fields in the whole grid, until the next step. */
-	void (*complete)(struct ts_instance *self);
+	void (*complete)(struct ts_instance *self, const struct tsim *sim);
+	/* Those into which the particles are divided among ranks; NULL: they are not. */
+	const struct ts_rank_blocks *(*blocks)(const struct tsim *sim);
 };
 
 static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_instance *inst)
@@ -33,6 +36,9 @@ enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const st
  * divide. */
 enum ts_status ts_flow_require_fields(struct tsim *sim, const char *who, const struct ts_place *where,
 				      struct ts_fluid **out);
+
+/* All ranks call it: each gets the whole grid of the fluid, if there is one of which ranks have planes. */
+void ts_flow_complete(const struct tsim *sim);
 
 /* Keywords of the fluid for thermo_style and formulas: flow_ke ... flow_keywords.c */
 extern const struct ts_system_style ts_flow_system;

@@ -32,10 +32,14 @@ OF_FLUID(time, fluid->time)
 OF_FLUID(steps, (double)fluid->steps)
 
 static const struct ts_keyword keywords[] = {
-	{ "flow_ke", "FlowKE", "energy", "kinetic energy of the fluid", TS_KEYWORD_FLUID, ke },
-	{ "flow_px", "FlowPx", "mass velocity", "momentum of the fluid along x", TS_KEYWORD_FLUID, px },
-	{ "flow_py", "FlowPy", "mass velocity", "momentum of the fluid along y", TS_KEYWORD_FLUID, py },
-	{ "flow_pz", "FlowPz", "mass velocity", "momentum of the fluid along z", TS_KEYWORD_FLUID, pz },
+	{ "flow_ke", "FlowKE", "energy", "kinetic energy of the fluid", TS_KEYWORD_FLUID | TS_KEYWORD_FIELDS,
+	  ke },
+	{ "flow_px", "FlowPx", "mass velocity", "momentum of the fluid along x",
+	  TS_KEYWORD_FLUID | TS_KEYWORD_FIELDS, px },
+	{ "flow_py", "FlowPy", "mass velocity", "momentum of the fluid along y",
+	  TS_KEYWORD_FLUID | TS_KEYWORD_FIELDS, py },
+	{ "flow_pz", "FlowPz", "mass velocity", "momentum of the fluid along z",
+	  TS_KEYWORD_FLUID | TS_KEYWORD_FIELDS, pz },
 	{ "flow_div", "FlowDiv", "1/time", "largest divergence left by the last projection", TS_KEYWORD_FLUID,
 	  div },
 	{ "flow_cfl", "FlowCFL", "", "largest sum of |u| dt/h in the last step of the fluid",

@@ -10,10 +10,13 @@
 #include "flow/flow_arguments.h"
 #include "flow/flow_limits.h"
 #include "flow/flow_resolution.h"
+#include "flow/fluid_fields.h"
 #include "flow/implicit_viscosity.h"
 #include "flow/pressure_projection.h"
 #include "flow/slab_step.h"
 #include "flow/step_rehearsal.h"
+#include "particle/division.h"
+#include "particle/rank_layout.h"
 #include "poisson/pressure_choice.h"
 
 #include "base/banned.h"
@@ -141,7 +144,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	struct ts_projection *p = self->state;
 
 	if (!p->settled) {
-		ts_slab_step_complete(p);
+		ts_slab_step_complete(p, sim);
 		return make_step(self, sim);
 	}
 	p->settled = false;
@@ -168,9 +171,8 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_fluid_share_sources(&p->fluid, sim));
 	if (!ts_ranks_first(sim))
 		sim->log.sink = NULL;
-	if (ts_slab_step_begin(p, sim))
-		ts_slab_step_forget(p);
-	status = make_step(self, sim);
+	status = ts_slab_step_begin_apart(p, sim, &sim->division->blocks) == TS_OK ? make_step(self, sim)
+										   : ts_nomem(&sim->error);
 	ts_slab_step_end(p);
 	sim->log.sink = sink;
 	p->settled = true;
@@ -232,7 +234,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 			{ "p_mean", &fluid->p_mean } };
 	enum ts_status status = TS_OK;
 
-	ts_slab_step_complete(p);
+	ts_slab_step_complete(p, sim);
 	for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
 		for (int d = 0; d < 3 && status == TS_OK; d++)
 			status = archive_field(archive, vectors[k].name, "xyz"[d], &fluid -> grid,
@@ -283,9 +285,14 @@ static struct ts_fluid *fluid(const struct ts_instance *self)
 	return &((struct ts_projection *)self->state)->fluid;
 }
 
-static void complete(struct ts_instance *self)
+static const struct ts_rank_blocks *blocks(const struct tsim *sim)
 {
-	ts_slab_step_complete(self->state);
+	return sim->division ? &sim->division->blocks : NULL;
+}
+
+static void complete(struct ts_instance *self, const struct tsim *sim)
+{
+	ts_slab_step_complete(self->state, sim);
 }
 
 /* Whether a wall or a body prescribes the tangential velocity on its surface. */
@@ -325,9 +332,12 @@ static enum ts_status count_sent(struct ts_instance *self, struct tsim *sim,
 {
 	const struct ts_projection *p = self->state;
 
-	if (ts_cell_rehearse(sim, &p->fluid, layout, p->every, sent) != TS_OK)
+	bool near;
+
+	TS_TRY(ts_projection_rehearse(self, sim, &layout->blocks, iterations, sent, &near));
+	if (ts_cell_rehearse(sim, &p->fluid, layout, p->every, near, sent) != TS_OK)
 		return ts_nomem(&sim->error);
-	return ts_projection_rehearse(self, sim, layout->ranks, iterations, sent);
+	return TS_OK;
 }
 
 /* What ranks send in a step. */
@@ -359,30 +369,60 @@ static void report_ranks(struct ts_instance *self, const struct tsim *sim, struc
 							  .looks = ts_pressure_style_of(p->pressure)->looks };
 }
 
+static enum ts_status count_planes(struct ts_instance *self, struct tsim *sim,
+				   struct ts_rehearsed_planes *planes)
+{
+	struct ts_rank_layout layout = { .ranks = ts_ranks(sim) };
+	enum ts_status status = ts_rank_layout_make(sim, layout.ranks, 0, &layout);
+
+	if (status == TS_OK)
+		status = ts_projection_rehearse_planes(self, sim, &layout.blocks, planes);
+	ts_rank_layout_release(&layout);
+	return status;
+}
+
 /* The part of the memory of fields and solver that a rank has. */
 static enum ts_status report_memory_of_rank(struct ts_instance *self, struct tsim *sim, double bytes,
 					    struct ts_plan_report *report)
 {
-	const struct ts_projection *p = self->state;
-	const int ranks = ts_ranks(sim), n = p->fluid.grid.n[2], all = n + 2 * TS_GRID_GHOSTS;
-	int planes = all;
+	struct ts_projection *p = self->state;
+	const int ranks = ts_ranks(sim), all = p->fluid.grid.n[2] + 2 * TS_GRID_GHOSTS;
+	struct ts_rehearsed_planes planes = { all, all };
+	double *field[TS_FIELDS_MOST], near, own;
 
-	if (ranks > 1 && ranks <= TS_REHEARSED_MOST && p->pressure)
-		TS_TRY(ts_projection_rehearse_planes(self, sim, ranks, &planes));
-	report->whole += bytes * planes / all;
-	report->divides_grid = planes < all;
-	if (planes < all)
-		ts_report_line(report, "fluid's planes", "each rank has up to %d of %d in memory", planes,
-			       all);
+	if (ranks > 1 && ranks <= TS_REHEARSED_MOST && p->pressure && sim->reading.explain)
+		TS_TRY(count_planes(self, sim, &planes));
+	near = 8 * (double)p->fluid.grid.size *
+	       (double)ts_fluid_fields_list(p, sim, TS_FIELDS_NEAR, false, field);
+	own = ((bytes - near) * planes.all + near * planes.near) / all;
+	report->whole += own;
+	report->elsewhere += bytes - own;
+	report->divides_grid = planes.all < all;
+	if (planes.all < all)
+		ts_report_line(report, "fluid's planes", "each rank has up to %d of %d in memory",
+			       planes.near, all);
 	return TS_OK;
+}
+
+/* Fields of the steps of this run: velocity, predictor, pressure and right-hand side, those of the time scheme, and of
+ * particles: f; k, its velocity, and weights of faces; void fraction; E in form conservative. */
+static double count_fields(const struct ts_projection *p)
+{
+	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
+	const struct ts_fluid *fluid = &p->fluid;
+	int fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3 + (p->viscous != TS_VISCOUS_EXPLICIT);
+
+	fields += fluid->force[0] ? 3 : 0;
+	fields += fluid->exchange[0] ? 9 : 0;
+	fields += fluid->void_fraction ? VOID_FIELDS : 0;
+	fields += fluid->void_fraction && p->form == TS_FORM_CONSERVATIVE ? 15 : 0;
+	return fields + (fluid->p_mean != NULL);
 }
 
 static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
-	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
-	double fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3;
 	double mean, before = report->bytes;
 
 	TS_TRY(ts_projection_net_outflow(self, sim, &mean));
@@ -398,7 +438,7 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 		       grid->n[1], grid->n[2], ts_convection_names[p->convection],
 		       ts_flow_form_names[p->form], ts_flow_time_names[p->time]);
 	ts_pressure_explain(sim, &p->poisson, p->fluid.void_fraction || p->fluid.exchange[0], report);
-	report->bytes += 8 * fields * (double)grid->size;
+	report->bytes += 8 * count_fields(p) * (double)grid->size;
 	TS_TRY(report_memory_of_rank(self, sim, report->bytes - before, report));
 	report_ranks(self, sim, report);
 	if (!p->fluid.void_fraction)
@@ -411,9 +451,25 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 	return TS_OK;
 }
 
+/* Limits are checked before the step of the fluid. Ranks look at them again, with all particles, after it if they have doubts. */
+static struct ts_flow_limits find_limits(struct ts_projection *p, const struct tsim *sim)
+{
+	double *before = p->limits_before;
+	struct ts_flow_limits limits;
+
+	if (p->settled && p->limits_step == sim->clock.step)
+		return (struct ts_flow_limits){ before[0], before[1], before[2] };
+	limits = ts_flow_limits(p);
+	before[0] = limits.viscous;
+	before[1] = limits.courant;
+	before[2] = limits.growth;
+	p->limits_step = sim->clock.step;
+	return limits;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
-	const struct ts_projection *p = self->state;
+	struct ts_projection *p = self->state;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	struct ts_flow_limits limits;
 	/* steps of the simulation per substep of the fluid */
@@ -424,7 +480,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		TS_TRY(report_plan(self, sim, report));
 	if (!p->substeps)
 		return TS_OK;
-	limits = ts_flow_limits(p);
+	limits = find_limits(p, sim);
 	TS_TRY(ts_report_limit(report, limits.viscous / steps, true, &self->where,
 			       "the fluid's viscosity and convection (time %s), or use substeps auto",
 			       scheme->name));
@@ -497,7 +553,7 @@ TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 const struct ts_flow_style ts_flow_projection = {
 	.style = { .name = "projection",
 		   .kind = TS_KIND_FLOW,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .due = due,
 		   .settle = settle,
 		   .family = TS_FAMILY_PROJECTION,
@@ -566,4 +622,5 @@ const struct ts_flow_style ts_flow_projection = {
 	.density = density,
 	.fluid = fluid,
 	.complete = complete,
+	.blocks = blocks,
 };

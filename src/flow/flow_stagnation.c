@@ -177,7 +177,7 @@ TS_STYLE(flow, ts_flow_style, ts_flow_stagnation)
 const struct ts_flow_style ts_flow_stagnation = {
 	.style = { .name = "stagnation",
 		   .kind = TS_KIND_FLOW,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .summary = "A prescribed flow against a plane: axisymmetric or plane stagnation flow",
 		   .doc = doc,
 		   .example = "flow_style stagnation axisymmetric point 0 0 0 normal 0 0 1 speed 105 "

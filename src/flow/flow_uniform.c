@@ -75,7 +75,7 @@ TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 const struct ts_flow_style ts_flow_uniform = {
 	.style = { .name = "uniform",
 		   .kind = TS_KIND_FLOW,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .summary = "A fluid with the same prescribed velocity everywhere",
 		   .doc = "The velocity is given and particles do not change it. Drag fixes such as fix\n"
 			  "drag/stokes use this velocity and viscosity. A typical use is the rising "

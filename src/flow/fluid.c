@@ -1,6 +1,10 @@
 #include "flow/fluid.h"
 
+#include <string.h>
+
 #include "base/alloc.h"
+#include "flow/fluid_slabs.h"
+#include "flow/near_exchange.h"
 
 #include "base/banned.h"
 
@@ -36,6 +40,7 @@ void ts_fluid_release(struct ts_fluid *fluid)
 			ts_free(fluid->pressure[d][side].plane);
 			fluid->pressure[d][side].plane = NULL;
 		}
+	ts_fluid_near_release(&fluid->near);
 	ts_grid_release(&fluid->grid);
 	ts_free(fluid->counted);
 	fluid->counted = NULL;
@@ -46,63 +51,83 @@ void ts_fluid_release(struct ts_fluid *fluid)
 	fluid->owners = NULL;
 }
 
-static enum ts_status allocate_field(const struct ts_grid *grid, double **field, double value)
+/* With this value in the planes of this rank. */
+static enum ts_status allocate_field(const struct ts_fluid *fluid, double **field, double value)
 {
 	if (*field)
 		return TS_OK;
-	*field = ts_grid_field(grid);
-	for (size_t k = 0; *field && value != 0 && k < grid->size; k++)
-		(*field)[k] = value;
+	*field = ts_grid_field(&fluid->grid);
+	for (int range = 0; *field && value != 0 && range < ts_fluid_ranges(fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
+		for (size_t k = first; k < end; k++)
+			(*field)[k] = value;
+	}
 	return *field ? TS_OK : TS_NOMEM;
 }
 
-static enum ts_status allocate_vector(const struct ts_grid *grid, double *field[3], double value)
+static enum ts_status allocate_vector(const struct ts_fluid *fluid, double *field[3], double value)
 {
 	for (int d = 0; d < 3; d++)
-		TS_TRY(allocate_field(grid, &field[d], value));
+		TS_TRY(allocate_field(fluid, &field[d], value));
 	return TS_OK;
 }
 
 enum ts_status ts_fluid_make(struct ts_fluid *fluid)
 {
-	TS_TRY(allocate_vector(&fluid->grid, fluid->u, 0));
-	return allocate_field(&fluid->grid, &fluid->p, 0);
+	TS_TRY(allocate_vector(fluid, fluid->u, 0));
+	return allocate_field(fluid, &fluid->p, 0);
 }
 
 enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim, unsigned fields)
 {
-	const struct ts_grid *grid = &fluid->grid;
 	enum ts_status status = TS_OK;
 
 	if (fields & TS_FLUID_FORCE)
-		status = allocate_vector(grid, fluid->force, 0);
+		status = allocate_vector(fluid, fluid->force, 0);
 	if (fields & TS_FLUID_EXCHANGE && status == TS_OK)
-		status = allocate_vector(grid, fluid->exchange, 0);
+		status = allocate_vector(fluid, fluid->exchange, 0);
 	if (fields & TS_FLUID_EXCHANGE && status == TS_OK)
-		status = allocate_vector(grid, fluid->exchange_velocity, 0);
+		status = allocate_vector(fluid, fluid->exchange_velocity, 0);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
-		status = allocate_field(grid, &fluid->void_fraction, 1);
+		status = allocate_field(fluid, &fluid->void_fraction, 1);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
-		status = allocate_field(grid, &fluid->void_fraction_rate, 0);
+		status = allocate_field(fluid, &fluid->void_fraction_rate, 0);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
-		status = allocate_vector(grid, fluid->void_fraction_face, 1);
+		status = allocate_vector(fluid, fluid->void_fraction_face, 1);
 	if (fields & TS_FLUID_P_MEAN && status == TS_OK)
-		status = allocate_field(grid, &fluid->p_mean, 0);
+		status = allocate_field(fluid, &fluid->p_mean, 0);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+/* Where ranks have planes, and no particles, they are zero. */
+void ts_fluid_clear(const struct ts_fluid *fluid, double *field)
+{
+	if (fluid->near.active)
+		ts_fluid_near_clear(fluid, field);
+	else if (!ts_fluid_divided(fluid))
+		memset(field, 0, fluid->grid.size * sizeof *field);
 }
 
 enum ts_status ts_fluid_share_sources(struct ts_fluid *fluid, struct tsim *sim)
 {
-	double *const field[] = { fluid->force[0],    fluid->force[1],	  fluid->force[2],
-				  fluid->exchange[0], fluid->exchange[1], fluid->exchange[2] };
+	double *field[6];
+	enum ts_status status;
+	size_t n = 0;
 
 	if (!fluid->apart)
 		return TS_OK;
 	fluid->apart = false;
-	if (ts_cell_owners_share(fluid->owners, sim->world, &fluid->grid, field,
-				 sizeof field / sizeof *field) != TS_OK)
-		return ts_nomem(&sim->error);
-	return TS_OK;
+	for (int d = 0; d < 6; d++) {
+		double *of = d < 3 ? fluid->force[d] : fluid->exchange[d - 3];
+
+		if (of)
+			field[n++] = of;
+	}
+	status = fluid->near.active ? ts_fluid_near_gather(fluid, field, n, false)
+				    : ts_cell_owners_share(fluid->owners, sim->world, &fluid->grid, field, n);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 double ts_fluid_kick_fraction(const struct tsim *sim)

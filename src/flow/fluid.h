@@ -17,7 +17,7 @@
 #define TS_FLOW_FLUID_H
 
 #include "core/sim.h"
-#include "flow/cell_owners.h"
+#include "flow/fluid_near.h"
 #include "grid/grid.h"
 #include "rank/slabs.h"
 
@@ -93,6 +93,7 @@ struct ts_fluid {
 			int from, to;
 		} range[2];
 	} planes;
+	struct ts_fluid_near near;
 	const struct ts_slabs *slabs; /* of ranks that make a step together: fluid_slabs.h; NULL: none */
 	double *p_mean;		      /* mean of the pressure over the stages and substeps of the last step */
 
@@ -167,7 +168,10 @@ static inline double ts_flow_face_pressure_at(const struct ts_flow_face_pressure
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
 
-/* All ranks get `force` and `exchange` of all cells. */
+/* Sets a field to which particles add to zero. */
+void ts_fluid_clear(const struct ts_fluid *fluid, double *field);
+
+/* All ranks get `force` and `exchange` of all cells, or of those in their planes. */
 enum ts_status ts_fluid_share_sources(struct ts_fluid *fluid, struct tsim *sim);
 
 /* Fraction of a force that is added in END_OF_STEP which the velocities still receive before the next
@@ -186,7 +190,13 @@ struct ts_closed_search;
  * struct, and the family of its style is TS_FAMILY_FLOW_PART. The slots are called in script order; NULL:
  * nothing to do. */
 #define TS_FAMILY_FLOW_PART "flow part"
-enum { TS_FLOW_PART_NUMBERS = 6 };
+enum { TS_FLOW_PART_NUMBERS = 6, TS_FLOW_PART_FIELDS = 3 };
+struct ts_flow_part_fields {
+	double *near[TS_FLOW_PART_FIELDS];  /* read near particles, after each step of the fluid */
+	double *sum[TS_FLOW_PART_FIELDS];   /* particles add to it, until it is set to 0 in after_step */
+	double *plane[TS_FLOW_PART_FIELDS]; /* last from step to step */
+	double *work[TS_FLOW_PART_FIELDS];  /* made anew in each step */
+};
 struct ts_flow_part {
 	/* After each predictor, before its projection: may change u to u + dt f (direct forcing). `dt` is
 	 * that of the (sub)step, `time` the time of the fields after it. */
@@ -210,9 +220,16 @@ struct ts_flow_part {
 	struct ts_flow_part_sends {
 		bool particles; /* it has particles that do */
 		int numbers; /* of each, to the ranks with cells that it reaches; at most TS_FLOW_PART_NUMBERS */
-		int fields;    /* of which all ranks get all cells */
+		/* fields that it sets in the cells of particles, and to which it adds (ts_cell_order_spread, _gather) */
+		int fields, sums;
 		bool reaction; /* it adds to f and k of the fluid */
+		/* It reads and changes the fluid only near particles (flow/fluid_near.h), after ts_near_particles_ready; also the
+		 * pressure there. */
+		bool nearby, pressure;
 	} sends;
+	/* With several ranks: the fields that the fix keeps, of which ranks have planes as of those of the fluid; NULL: it keeps
+	 * none. Entries NULL: none. */
+	void (*fields)(struct ts_instance *self, struct ts_flow_part_fields *out);
 	/* The largest stable dt of the fluid as far as this fix is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
 	/* After all substeps, of total length `length`: exchange_velocity is the mean over them, and f and

@@ -68,6 +68,17 @@ void ts_fluid_slabs_share(const struct ts_fluid *fluid, double *field)
 		ts_slabs_share(fluid->slabs, &all);
 }
 
+void ts_fluid_slabs_share_halo(const struct ts_fluid *fluid, double *field)
+{
+	const struct ts_slabs_field all = ts_fluid_slabs_field(&fluid->grid, field);
+
+	if (ts_fluid_divided(fluid))
+		ts_slabs_share_beside(fluid->slabs, &all, TS_GRID_GHOSTS, TS_GRID_GHOSTS,
+				      fluid->grid.periodic[2]);
+	else
+		ts_fluid_slabs_share(fluid, field);
+}
+
 double ts_fluid_slabs_most(const struct ts_fluid *fluid, double value)
 {
 	if (ts_slabs_ranks(fluid->slabs) > 1)

@@ -19,6 +19,8 @@ void ts_fluid_slabs_rows(const struct ts_fluid *fluid, long *first, long *end);
 void ts_fluid_slabs_values(const struct ts_fluid *fluid, size_t *first, size_t *end);
 /* All ranks get all planes of a field. */
 void ts_fluid_slabs_share(const struct ts_fluid *fluid, double *field);
+/* The same; if it has the fluid in some planes only, each gets those that it has beside its own ones. */
+void ts_fluid_slabs_share_halo(const struct ts_fluid *fluid, double *field);
 /* The largest of the values of all ranks. */
 double ts_fluid_slabs_most(const struct ts_fluid *fluid, double value);
 

@@ -2,6 +2,7 @@
  * faces in the projection that follow from them. */
 #include <string.h>
 
+#include "flow/fluid_slabs.h"
 #include "flow/particle_sources.h"
 #include "flow/projection.h"
 #include "flow/void_fraction.h"
@@ -26,14 +27,19 @@ static void make_weights(const struct ts_projection *p, int d, double dt)
 		     *mass = momentum_void_fraction(p, d);
 	const double share = dt / fluid->density * p->source_scale;
 	double *weight = p->weight[d];
-	const size_t size = fluid->grid.size;
 
+	for (int range = 0; range < ts_fluid_ranges(fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (size_t at = 0; at < size; at++) {
-		double fraction = e ? e[at] : 1, heavy = mass ? mass[at] : 1;
-		double held = k ? share * k[at] / heavy : 0;
+		for (size_t at = first; at < end; at++) {
+			double fraction = e ? e[at] : 1, heavy = mass ? mass[at] : 1;
+			double held = k ? share * k[at] / heavy : 0;
 
-		weight[at] = mass == e ? fraction / (1 + held) : fraction * (fraction / heavy) / (1 + held);
+			weight[at] = mass == e ? fraction / (1 + held)
+					       : fraction * (fraction / heavy) / (1 + held);
+		}
 	}
 }
 
@@ -101,11 +107,14 @@ void ts_projection_apply_particle_forces(struct ts_projection *p, double dt)
 /* mean <- take (carry mean + u). */
 static void average_field(struct ts_projection *p, double *mean, const double *u, double carry, double take)
 {
-	const size_t size = p->fluid.grid.size;
+	for (int range = 0; range < ts_fluid_ranges(&p->fluid); range++) {
+		size_t first, end;
 
+		ts_fluid_range_values(&p->fluid, range, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (size_t at = 0; at < size; at++)
-		mean[at] = take * (carry * mean[at] + u[at]);
+		for (size_t at = first; at < end; at++)
+			mean[at] = take * (carry * mean[at] + u[at]);
+	}
 }
 
 void ts_projection_average_exchange(struct ts_projection *p, double carry, double take)
@@ -120,14 +129,11 @@ void ts_projection_average_exchange(struct ts_projection *p, double carry, doubl
 
 void ts_projection_clear_sources(struct ts_projection *p)
 {
-	struct ts_fluid *fluid = &p->fluid;
-	const size_t bytes = fluid->grid.size * sizeof(double);
-
 	for (int d = 0; d < 3; d++) {
-		if (fluid->force[d])
-			memset(fluid->force[d], 0, bytes);
-		if (fluid->exchange[d])
-			memset(fluid->exchange[d], 0, bytes);
+		if (p->fluid.force[d])
+			ts_fluid_clear(&p->fluid, p->fluid.force[d]);
+		if (p->fluid.exchange[d])
+			ts_fluid_clear(&p->fluid, p->fluid.exchange[d]);
 	}
 	p->source_steps = 0;
 }

@@ -179,7 +179,8 @@ enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, 
 	p->pressure = pressure;
 	p->removals = sim->removals;
 	p->weights_vary = weighted;
-	ts_slab_step_check_solver(p, sim);
+	if (ts_slab_step_check_solver(p, sim) && ts_projection_face_weights(p, held) != TS_OK)
+		return ts_nomem(&sim->error);
 	return TS_OK;
 }
 

@@ -44,8 +44,11 @@ struct ts_projection {
 	bool initial_projection; /* the projection is that of an initial field: no pressure drives the flow */
 
 	bool settled; /* while the particles are divided among ranks: this step has been made */
-	bool moved;   /* a run has made steps with it, or would have (-check) */
-	bool read;    /* the words have been read, into: */
+	/* limits of the time step (struct ts_flow_limits) that were found before it, in this step of the simulation */
+	double limits_before[3];
+	int64_t limits_step;
+	bool moved; /* a run has made steps with it, or would have (-check) */
+	bool read;  /* the words have been read, into: */
 	int64_t cells[3];
 	int64_t substeps; /* 0: chosen in each step by the limits */
 	struct ts_number body_force[3];
@@ -56,6 +59,7 @@ struct ts_projection {
 	double *second_stage[3]; /* a second predictor, for schemes of several stages */
 	double *history[3];	 /* ab2: rate of change of u in the step before */
 	double history_dt;	 /* ab2: length of that step; 0: there is none */
+	bool read_by_formulas;	 /* in this run: of fixes or boundary conditions */
 	bool history_apart;	 /* ab2: each rank has the history of its own planes only */
 	double *increment;	 /* implicit viscosity: change of the pressure */
 	double theta;		 /* implicit viscosity: weight of the new velocity, 1/2 or 1 */

@@ -197,8 +197,8 @@ enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	p->poisson.slabs = &p->slabs;
 	fluid->slabs = &p->slabs;
-	if (ts_slab_step_begin(p, sim))
-		ts_slab_step_forget(p);
+	if (ts_slab_step_set_up(p, sim, ts_flow_style_of(self)->blocks(sim)) != TS_OK)
+		return ts_nomem(&sim->error);
 	TS_TRY(ts_projection_set_face_types(self, sim));
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
 	p->ghosts_filled = false;

@@ -271,15 +271,23 @@ static double initial_mean_weight(const struct ts_flow_time_scheme *scheme)
 	return 1 / product;
 }
 
+static void divide_field(const struct ts_fluid *fluid, double *field, double by)
+{
+	for (int range = 0; range < ts_fluid_ranges(fluid) && field; range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
+		for (size_t k = first; k < end; k++)
+			field[k] /= by;
+	}
+}
+
 static void divide_exchange_means(struct ts_projection *p, double by)
 {
-	struct ts_fluid *fluid = &p->fluid;
-
-	for (int d = 0; d < 3 && fluid->exchange_velocity[d] && by > 1; d++)
-		for (size_t k = 0; k < fluid->grid.size; k++)
-			fluid->exchange_velocity[d][k] /= by;
-	for (size_t k = 0; fluid->p_mean && by > 1 && k < fluid->grid.size; k++)
-		fluid->p_mean[k] /= by;
+	for (int d = 0; d < 3 && by > 1; d++)
+		divide_field(&p->fluid, p->fluid.exchange_velocity[d], by);
+	if (by > 1)
+		divide_field(&p->fluid, p->fluid.p_mean, by);
 }
 
 enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length)
@@ -304,6 +312,8 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 		carry = initial_mean_weight(&ts_flow_time_schemes[p->time]);
 	}
 	divide_exchange_means(p, (double)p->done);
+	if (ts_slab_step_spread(p, sim) != TS_OK)
+		return ts_nomem(&sim->error);
 	TS_TRY(call_after_step(sim, &p->fluid, length));
 	if (ts_projection_store_boundary(p) != TS_OK)
 		return ts_nomem(&sim->error);

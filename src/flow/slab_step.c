@@ -2,7 +2,11 @@
 
 #include <string.h>
 
+#include "core/ranks.h"
+#include "flow/boundary.h"
+#include "flow/fluid_fields.h"
 #include "flow/fluid_slabs.h"
+#include "flow/near_exchange.h"
 #include "poisson/poisson.h"
 
 #include "base/banned.h"
@@ -16,31 +20,46 @@ bool ts_slab_step_divides(const struct ts_projection *p, int ranks)
 	return grid->dimensions == 3 && grid->n[0] > 1 && grid->n[1] > 1 && grid->n[2] >= ranks;
 }
 
-/* Whether a style may evaluate a formula, which may read the fluid, while the particles are divided. Outputs do when all ranks
- * have all of them, and get the fluid then (ts_flow_require_fields). */
-static bool has_formula(const struct ts_instance *inst)
+/* Whether a style evaluates a formula that reads the fluid while the particles are divided. Outputs do when all ranks have all
+ * of them, and get the fluid then (ts_flow_require_fields). */
+static bool has_formula(const struct tsim *sim, const struct ts_instance *inst)
 {
 	const bool is_output = (inst->style->ranks & (TS_RANKS_WHOLE | TS_RANKS_OWN)) == TS_RANKS_WHOLE;
 
 	if (is_output || inst->style->kind == TS_KIND_COMPUTE)
 		return false;
-	for (size_t k = 0; k < inst->words.n; k++)
-		if (strstr(inst->words.word[k].text, "v_"))
+	for (size_t k = 0; k < inst->words.n; k++) {
+		const char *at = strstr(inst->words.word[k].text, "v_");
+
+		/* a word that has one inside it is a formula of its own sort */
+		if (at && (at > inst->words.word[k].text || ts_ranks_variable_reads_fluid(sim, at)))
 			return true;
+	}
 	return false;
 }
 
-static bool boundary_has_formula(const struct ts_projection *p)
+static bool boundary_has_formula(const struct ts_projection *p, const struct tsim *sim)
 {
 	for (int face = 0; face < 6; face++) {
 		const struct ts_flow_condition *condition = &p->condition[face / 2][face % 2];
 
-		if (condition->pressure.variable)
+		if (ts_ranks_variable_reads_fluid(sim, condition->pressure.variable))
 			return true;
 		for (int d = 0; d < 3; d++)
-			if (condition->velocity[d].variable)
+			if (ts_ranks_variable_reads_fluid(sim, condition->velocity[d].variable))
 				return true;
 	}
+	return false;
+}
+
+static bool some_formulas_read(const struct ts_projection *p, const struct tsim *sim)
+{
+	if (boundary_has_formula(p, sim))
+		return true;
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++)
+			if (has_formula(sim, sim->instances[kind].item[k]))
+				return true;
 	return false;
 }
 
@@ -49,35 +68,49 @@ static bool solver_divides(struct ts_projection *p, const struct tsim *sim)
 {
 	const bool chosen = p->pressure && p->removals == sim->removals;
 	const struct ts_pressure_style *style = chosen ? ts_pressure_style_of(p->pressure) : NULL;
+	bool (*ask)(const struct ts_instance *) = style && style->always_divided ? style->always_divided
+						  : style			 ? style->divided
+										 : NULL;
 	const bool was = p->slabs.active;
 	bool divides;
 
 	p->slabs.active = true; /* as it will be */
-	divides = !style || (style->divided && style->divided(p->pressure));
+	divides = !style || (ask && ask(p->pressure));
 	p->slabs.active = was;
 	return divides;
 }
 
-/* Fields of fixes that take part; they stay when the fix is removed. */
-static bool has_fields_of_parts(const struct ts_fluid *fluid)
+/* Whether the fixes that take part read and change the fluid near particles only. */
+static bool parts_are_near(const struct tsim *sim)
 {
-	return fluid->force[0] || fluid->exchange[0] || fluid->void_fraction || fluid->p_mean;
+	const struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
+		if (!((const struct ts_flow_part *)part->state)->sends.nearby)
+			return false;
+	return true;
 }
 
-/* Whether nothing reads the fluid before all ranks get all particles: no particle feels it, and no formula names it. */
-static bool stays_apart(struct ts_projection *p, const struct tsim *sim)
+static bool has_parts(const struct ts_projection *p, const struct tsim *sim)
 {
 	size_t k = 0;
 
-	if (p->fluid.grid.n[2] / sim->world->n < TS_GRID_GHOSTS || boundary_has_formula(p) ||
-	    !solver_divides(p, sim) || has_fields_of_parts(&p->fluid) ||
-	    ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k))
-		return false;
-	for (int kind = 0; kind < TS_NKIND; kind++)
-		for (k = 0; k < sim->instances[kind].n; k++)
-			if (has_formula(sim->instances[kind].item[k]))
-				return false;
-	return true;
+	return p->fluid.near.wanted || ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k);
+}
+
+/* The flow through faces along z depends on the void fraction of all planes, where the fluid has no open face. */
+static bool flow_is_of_all_planes(const struct ts_projection *p)
+{
+	return p->fluid.void_fraction && p->poisson.singular && !ts_projection_is_tight(p);
+}
+
+/* Whether nothing reads the fluid before all ranks get all particles but these, each near its own ones, and no formula names it.
+ * blocks NULL: each rank has all particles. */
+static bool stays_apart(struct ts_projection *p, const struct tsim *sim, const struct ts_rank_blocks *blocks)
+{
+	return p->fluid.grid.n[2] / sim->world->n >= TS_GRID_GHOSTS && !p->read_by_formulas &&
+	       solver_divides(p, sim) && !flow_is_of_all_planes(p) &&
+	       (!has_parts(p, sim) || (blocks && parts_are_near(sim)));
 }
 
 /* The planes of this rank and their ghosts. Those of a rank at an end of a periodic grid are made from planes at the other end. */
@@ -104,59 +137,150 @@ static struct ts_fluid_planes choose_planes(const struct ts_projection *p)
 	return planes;
 }
 
-enum { FIELDS = 15 };
-
-/* All fields of a fluid that ranks divide; NULL: not used. */
-static void list_fields(struct ts_projection *p, double *field[FIELDS])
+static size_t plane_start(const struct ts_grid *grid, int k)
 {
-	size_t n = 0;
-
-	for (int d = 0; d < 3; d++) {
-		field[n++] = p->fluid.u[d];
-		field[n++] = p->work[d];
-		field[n++] = p->second_stage[d];
-		field[n++] = p->history[d];
-	}
-	field[n++] = p->fluid.p;
-	field[n++] = p->rhs;
-	field[n++] = p->increment;
+	return (size_t)(k + grid->ghosts[2]) * (size_t)grid->stride[2];
 }
 
-void ts_slab_step_forget(struct ts_projection *p)
+/* `near`: planes near the particles of this rank are kept. */
+static void forget_planes(const struct ts_fluid *fluid, double *field, bool near)
 {
-	const struct ts_fluid *fluid = &p->fluid;
-	size_t behind = 0, first, end;
-	double *field[FIELDS];
+	const struct ts_grid *grid = &fluid->grid;
+	const int end = grid->n[2] + grid->ghosts[2];
+	int from = -grid->ghosts[2];
 
-	list_fields(p, field);
+	for (int k = from; k <= end; k++) { /* behind the last ghosts there is a layer of faces */
+		const int plane = k < end ? k : end - 1;
+
+		if (!ts_fluid_has_plane(fluid, plane) && !(near && ts_fluid_near_has_plane(fluid, plane)))
+			continue;
+		ts_grid_field_clear(field, plane_start(grid, from), plane_start(grid, k));
+		from = k + 1;
+	}
+	if (from <= end)
+		ts_grid_field_clear(field, plane_start(grid, from), grid->size);
+}
+
+static void forget(struct ts_projection *p, const struct tsim *sim)
+{
+	double *field[TS_FIELDS_MOST];
+
+	for (int near = 0; near < 2; near++) {
+		const size_t n = ts_fluid_fields_list(p, sim, TS_FIELDS_NEAR, !near, field);
+
+		for (size_t k = 0; k < n; k++)
+			forget_planes(&p->fluid, field[k], near && p->fluid.near.active);
+	}
 	p->history_apart = p->history[0];
-	for (int range = 0; range <= fluid->planes.ranges; range++, behind = end) {
-		first = end = fluid->grid.size;
-		if (range < fluid->planes.ranges)
-			ts_fluid_range_values(fluid, range, &first, &end);
-		for (size_t k = 0; k < FIELDS; k++)
-			if (field[k])
-				ts_grid_field_clear(field[k], behind, first);
-	}
 }
 
-bool ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim)
+/* ---- near particles */
+
+enum ts_status ts_slab_step_renew(struct ts_projection *p, const struct tsim *sim,
+				  const struct ts_rank_blocks *blocks)
+{
+	double *field[TS_FIELDS_MOST];
+	size_t n;
+	bool made;
+
+	TS_TRY(ts_fluid_near_make(&p->fluid, blocks, &made));
+	if (!made && !p->fluid.near.stale)
+		return TS_OK;
+	p->fluid.near.stale = false;
+	n = ts_fluid_fields_list(p, sim, TS_FIELDS_SUM, false, field);
+	for (size_t k = 0; k < n; k++) /* what was near before, and is not any more, holds parts of sums */
+		forget_planes(&p->fluid, field[k], false);
+	n = ts_fluid_fields_list(p, sim, TS_FIELDS_PLACE, false, field);
+	return ts_fluid_near_spread(&p->fluid, field, n);
+}
+
+enum ts_status ts_slab_step_spread(struct ts_projection *p, const struct tsim *sim)
+{
+	double *field[TS_FIELDS_MOST];
+
+	if (!p->fluid.near.active)
+		return TS_OK;
+	return ts_fluid_near_spread(&p->fluid, field,
+				    ts_fluid_fields_list(p, sim, TS_FIELDS_STEP, false, field));
+}
+
+void ts_slab_step_count_spread(struct ts_projection *p, const struct tsim *sim)
+{
+	double *field[TS_FIELDS_MOST];
+
+	if (p->fluid.near.active)
+		ts_fluid_near_count_spread(&p->fluid,
+					   ts_fluid_fields_list(p, sim, TS_FIELDS_STEP, false, field));
+}
+
+static bool some_read_pressure(const struct tsim *sim)
+{
+	const struct ts_instance *part;
+	bool some = false;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
+		some |= ((const struct ts_flow_part *)part->state)->sends.pressure;
+	return some;
+}
+
+/* The ranks keep their planes, and what is near their particles. */
+static enum ts_status take_planes(struct ts_projection *p, const struct tsim *sim,
+				  const struct ts_rank_blocks *blocks, bool were)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	p->slabs.active = p->poisson.apart = true;
+	fluid->planes = choose_planes(p);
+	fluid->near.active = has_parts(p, sim);
+	fluid->near.pressure = some_read_pressure(sim);
+	if (!fluid->near.active)
+		return TS_OK;
+	return were ? ts_slab_step_renew(p, sim, blocks) : ts_fluid_near_make(fluid, blocks, NULL);
+}
+
+enum ts_status ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim,
+				  const struct ts_rank_blocks *blocks, bool *fewer)
 {
 	const bool divides = sim->world && ts_slab_step_divides(p, sim->world->n),
-		   some = divides && stays_apart(p, sim), were = ts_fluid_divided(&p->fluid);
+		   some = divides && stays_apart(p, sim, blocks), were = ts_fluid_divided(&p->fluid);
 
-	if (!some)
-		ts_slab_step_complete(p);
-	p->slabs.active = divides;
+	*fewer = some && !were;
 	if (some)
-		p->fluid.planes = choose_planes(p);
-	return some && !were;
+		return take_planes(p, sim, blocks, were);
+	ts_slab_step_complete(p, sim);
+	p->slabs.active = divides;
+	return TS_OK;
 }
 
-void ts_slab_step_check_solver(struct ts_projection *p, const struct tsim *sim)
+enum ts_status ts_slab_step_begin_apart(struct ts_projection *p, const struct tsim *sim,
+					const struct ts_rank_blocks *blocks)
 {
-	if (ts_fluid_divided(&p->fluid) && !solver_divides(p, sim))
-		ts_slab_step_complete(p);
+	bool fewer;
+
+	TS_TRY(ts_slab_step_begin(p, sim, blocks, &fewer));
+	if (fewer)
+		forget(p, sim);
+	return TS_OK;
+}
+
+enum ts_status ts_slab_step_set_up(struct ts_projection *p, const struct tsim *sim,
+				   const struct ts_rank_blocks *blocks)
+{
+	p->read_by_formulas = some_formulas_read(p, sim);
+	p->fluid.near.wanted = false;
+	TS_TRY(ts_slab_step_begin_apart(p, sim, blocks));
+	p->fluid.near.stale = true;
+	p->fluid.near.begun = sim->clock.step;
+	return TS_OK;
+}
+
+bool ts_slab_step_check_solver(struct ts_projection *p, const struct tsim *sim)
+{
+	const bool needs_all = ts_fluid_divided(&p->fluid) && !solver_divides(p, sim);
+
+	if (needs_all)
+		ts_slab_step_complete(p, sim);
+	return needs_all;
 }
 
 void ts_slab_step_end(struct ts_projection *p)
@@ -173,19 +297,21 @@ static void share_with_faces(const struct ts_projection *p, double *field)
 	ts_slabs_share(&p->slabs, &all);
 }
 
-static void complete_fields(struct ts_projection *p)
+/* Sums of particles are 0 behind a step of the fluid. */
+static void complete_fields(struct ts_projection *p, const struct tsim *sim)
 {
 	struct ts_fluid *fluid = &p->fluid;
+	const unsigned uses = TS_FIELDS_LASTING | (p->source_steps > 0 ? TS_FIELDS_SUM : 0);
+	double *field[TS_FIELDS_MOST];
+	size_t n;
 
 	if (!ts_fluid_divided(fluid))
 		return;
+	n = ts_fluid_fields_list(p, sim, uses, false, field);
 	p->slabs.active = true;
-	for (int d = 0; d < fluid->grid.dimensions; d++)
-		share_with_faces(p, fluid->u[d]);
-	share_with_faces(p, fluid->p);
-	if (p->increment)
-		share_with_faces(p, p->increment);
-	p->slabs.active = false;
+	for (size_t k = 0; k < n; k++)
+		share_with_faces(p, field[k]);
+	p->slabs.active = p->poisson.apart = fluid->near.active = false;
 	fluid->planes.ranges = 0;
 	ts_fluid_fill_periodic(fluid, fluid->p);
 }
@@ -200,9 +326,9 @@ static void complete_history(struct ts_projection *p)
 	p->slabs.active = p->history_apart = false;
 }
 
-void ts_slab_step_complete(struct ts_projection *p)
+void ts_slab_step_complete(struct ts_projection *p, const struct tsim *sim)
 {
-	complete_fields(p);
+	complete_fields(p, sim);
 	complete_history(p);
 }
 

@@ -7,17 +7,28 @@
 /* Whether so many ranks divide the steps of this grid; else each computes all of it. */
 bool ts_slab_step_divides(const struct ts_projection *projection, int ranks);
 
-/* Before a step, while the particles are divided among ranks, and in the set-up: chooses the planes that a rank has. Returns whether
- * it has had all until now, and needs these only. */
-bool ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim);
-/* Planes of other ranks take no memory any more. */
-void ts_slab_step_forget(struct ts_projection *projection);
+/* Before a step, while the particles are divided among ranks into these blocks (NULL: they are not): chooses the planes
+ * that a rank has, and what it has near its particles. *fewer: it has had all until now, and needs these only. */
+enum ts_status ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim,
+				  const struct ts_rank_blocks *blocks, bool *fewer);
+/* The same; planes that are not needed take no memory any more. */
+enum ts_status ts_slab_step_begin_apart(struct ts_projection *projection, const struct tsim *sim,
+					const struct ts_rank_blocks *blocks);
+/* In the set-up of a run: the same; what is near particles is got when a fix first reads it. */
+enum ts_status ts_slab_step_set_up(struct ts_projection *projection, const struct tsim *sim,
+				   const struct ts_rank_blocks *blocks);
 /* A fluid that ranks have in some planes only stays divided. */
 void ts_slab_step_end(struct ts_projection *projection);
 /* All ranks get all planes of the fluid. */
-void ts_slab_step_complete(struct ts_projection *projection);
-/* After the pressure solver has been chosen: one that ranks do not divide needs all planes. */
-void ts_slab_step_check_solver(struct ts_projection *projection, const struct tsim *sim);
+void ts_slab_step_complete(struct ts_projection *projection, const struct tsim *sim);
+/* While ranks have planes, and particles: all get the fields near their particles, if the blocks, or how far that is, have
+ * changed; those that a step has computed; what they send for it is counted (rank/rehearsal.h). */
+enum ts_status ts_slab_step_renew(struct ts_projection *projection, const struct tsim *sim,
+				  const struct ts_rank_blocks *blocks);
+enum ts_status ts_slab_step_spread(struct ts_projection *projection, const struct tsim *sim);
+void ts_slab_step_count_spread(struct ts_projection *projection, const struct tsim *sim);
+/* After the pressure solver has been chosen: all ranks get all planes if they do not divide it. Returns whether they have got them. */
+bool ts_slab_step_check_solver(struct ts_projection *projection, const struct tsim *sim);
 
 /* All do nothing while ranks do not have slabs. After the predictor: velocities that the divergence needs; those of all
  * planes if fixes change them. */

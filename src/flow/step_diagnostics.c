@@ -118,7 +118,7 @@ static enum ts_status fail_unstable(struct ts_instance *self, struct tsim *sim, 
 	double x[3] = { 0 };
 	char cause[512];
 
-	ts_slab_step_complete(p);
+	ts_slab_step_complete(p, sim);
 	limits = ts_flow_limits(p);
 	if (bodies_explain(sim, fluid, dt, cause, sizeof cause))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "flow/flow.h"
+
 #include "base/banned.h"
 
 static bool transports_scalar(const struct ts_instance *inst)
@@ -27,6 +29,7 @@ enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const st
 	if (!transports_scalar(fix))
 		return ts_fail(&sim->error, TS_STATE, &word->place,
 			       "%s: fix %s (style %s) transports no scalar", what, fix->id, fix->style->name);
+	ts_flow_complete(sim);
 	*out = ((const struct ts_flow_part *)fix->state)->scalar(fix);
 	return TS_OK;
 }

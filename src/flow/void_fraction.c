@@ -2,14 +2,24 @@
  * in the momentum if e u is stepped forward (form conservative). */
 #include <string.h>
 
+#include "base/alloc.h"
+#include "flow/fluid_slabs.h"
 #include "flow/projection.h"
 #include "flow/void_fraction.h"
 
 #include "base/banned.h"
 
-static long count_rows(const struct ts_grid *grid)
+/* The rows first .. end - 1 of a range of planes, ghosts included. */
+static void find_rows(const struct ts_fluid *fluid, int range, long *first, long *end)
 {
-	return (long)(grid->n[1] + 2 * grid->ghosts[1]) * (grid->n[2] + 2 * grid->ghosts[2]);
+	const struct ts_grid *grid = &fluid->grid;
+	const int height = grid->n[1] + 2 * grid->ghosts[1];
+	const bool divided = ts_fluid_divided(fluid);
+	const int from = divided ? fluid->planes.range[range].from : -grid->ghosts[2],
+		  to = divided ? fluid->planes.range[range].to : grid->n[2] + grid->ghosts[2];
+
+	*first = (long)(from + grid->ghosts[2]) * height;
+	*end = (long)(to + grid->ghosts[2]) * height;
 }
 
 /* Index of the first value of a row, ghosts included; a row has n + 2 ghosts values. */
@@ -22,26 +32,36 @@ static size_t row_start(const struct ts_grid *grid, long line, int *j, int *k)
 	return ts_at(grid, -grid->ghosts[0], *j, *k);
 }
 
-static void interpolate_to_faces(const struct ts_projection *p, int d, const double *e, double *face)
+static void interpolate_row_to_faces(const struct ts_projection *p, int d, long line, const double *e,
+				     double *face)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	const ptrdiff_t s = grid->stride[d];
 	const int n = grid->n[0] + 2 * grid->ghosts[0];
+	const double *part = p->operators.mass[d];
+	int j, k;
+	size_t at = row_start(grid, line, &j, &k);
+	const bool lowest = (d == 1 && j == -grid->ghosts[1]) || (d == 2 && k == -grid->ghosts[2]);
 
+	for (int i = 0; i < n; i++, at++) {
+		int m = d == 0 ? i - grid->ghosts[0] : d == 1 ? j : k;
+
+		face[at] = lowest || (d == 0 && i == 0)
+				   ? e[at]
+				   : part[m] * e[(ptrdiff_t)at - s] + (1 - part[m]) * e[at];
+	}
+}
+
+/* In a rank's lowest ghost plane, below which it has none, faces across z are not those of the whole grid, and not used. */
+static void interpolate_to_faces(const struct ts_projection *p, int d, const double *e, double *face)
+{
+	for (int range = 0; range < ts_fluid_ranges(&p->fluid); range++) {
+		long first, end;
+
+		find_rows(&p->fluid, range, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = 0; line < count_rows(grid); line++) {
-		int j, k;
-		size_t at = row_start(grid, line, &j, &k);
-		bool lowest = (d == 1 && j == -grid->ghosts[1]) || (d == 2 && k == -grid->ghosts[2]);
-		const double *part = p->operators.mass[d];
-
-		for (int i = 0; i < n; i++, at++) {
-			int m = d == 0 ? i - grid->ghosts[0] : d == 1 ? j : k;
-
-			face[at] = lowest || (d == 0 && i == 0)
-					   ? e[at]
-					   : part[m] * e[(ptrdiff_t)at - s] + (1 - part[m]) * e[at];
-		}
+		for (long line = first; line < end; line++)
+			interpolate_row_to_faces(p, d, line, e, face);
 	}
 }
 
@@ -65,10 +85,19 @@ static enum ts_status allocate_vector(const struct ts_projection *p, double *fie
 	return TS_OK;
 }
 
+static void copy_field(const struct ts_fluid *fluid, double *to, const double *from)
+{
+	for (int range = 0; range < ts_fluid_ranges(fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
+		memcpy(to + first, from + first, (end - first) * sizeof *to);
+	}
+}
+
 static enum ts_status store_momentum_void_fraction(struct ts_projection *p, double elapsed)
 {
 	struct ts_fluid *fluid = &p->fluid;
-	const size_t bytes = fluid->grid.size * sizeof(double);
 
 	TS_TRY(allocate_vector(p, p->void_before));
 	TS_TRY(allocate_vector(p, p->void_rate));
@@ -78,11 +107,11 @@ static enum ts_status store_momentum_void_fraction(struct ts_projection *p, doub
 	p->void_elapsed = elapsed;
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		if (p->empty_known) {
-			memcpy(p->void_before[d], fluid->void_fraction_face[d], bytes);
+			copy_field(fluid, p->void_before[d], fluid->void_fraction_face[d]);
 			interpolate_to_faces(p, d, fluid->void_fraction_rate, p->void_rate[d]);
 		} else {
 			interpolate_to_faces(p, d, fluid->void_fraction, p->void_before[d]);
-			memset(p->void_rate[d], 0, bytes);
+			ts_grid_field_clear(p->void_rate[d], 0, fluid->grid.size);
 		}
 	}
 	return TS_OK;
@@ -93,15 +122,19 @@ static enum ts_status store_momentum_void_fraction(struct ts_projection *p, doub
 static void make_void_rate(const struct ts_projection *p, double elapsed)
 {
 	const struct ts_fluid *fluid = &p->fluid;
-	const size_t size = fluid->grid.size;
 	const double *e = fluid->void_fraction;
 	double *rate = fluid->void_fraction_rate, *before = p->void_fraction_before;
 	const double per_time = p->empty_known ? 1 / elapsed : 0;
 
+	for (int range = 0; range < ts_fluid_ranges(fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (size_t k = 0; k < size; k++) {
-		rate[k] = (e[k] - before[k]) * per_time;
-		before[k] = e[k];
+		for (size_t k = first; k < end; k++) {
+			rate[k] = (e[k] - before[k]) * per_time;
+			before[k] = e[k];
+		}
 	}
 }
 
@@ -123,21 +156,43 @@ enum ts_status ts_projection_update_void_fraction(struct ts_projection *p, doubl
 	return TS_OK;
 }
 
-double ts_projection_void_rate_integral(const struct ts_projection *p)
+/* Of the rows of this rank: the integral of de/dt along x. */
+static void integrate_rows(const struct ts_projection *p, double *row)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
-	double sum = 0;
+	long first, end;
 
-	for (int k = 0; k < grid->n[2] && p->fluid.void_fraction; k++)
-		for (int j = 0; j < grid->n[1]; j++) {
-			const double *rate = p->fluid.void_fraction_rate + ts_at(grid, 0, j, k);
-			double row = 0;
+	ts_fluid_slabs_rows(&p->fluid, &first, &end);
+	for (long line = first; line < end; line++) {
+		const int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
+		const double *rate = p->fluid.void_fraction_rate + ts_at(grid, 0, j, k);
 
-			for (int i = 0; i < grid->n[0]; i++)
-				row += rate[i] * grid->width[0][i];
-			sum += row * grid->width[1][j] * grid->width[2][k];
-		}
-	return sum;
+		row[line] = 0;
+		for (int i = 0; i < grid->n[0]; i++)
+			row[line] += rate[i] * grid->width[0][i];
+	}
+}
+
+enum ts_status ts_projection_void_rate_integral(const struct ts_projection *p, double *out)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	const size_t height = (size_t)grid->n[1];
+	double *row, sum = 0;
+
+	*out = 0;
+	if (!p->fluid.void_fraction)
+		return TS_OK;
+	row = ts_alloc(height * (size_t)grid->n[2], sizeof *row);
+	if (!row)
+		return TS_NOMEM;
+	integrate_rows(p, row);
+	ts_slabs_share(&p->slabs, &(struct ts_slabs_field){ row, height, 0, 0 });
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			sum += row[(size_t)k * height + (size_t)j] * grid->width[1][j] * grid->width[2][k];
+	ts_free(row);
+	*out = sum;
+	return TS_OK;
 }
 
 /* ---- form conservative: E in the stages of a step */
@@ -159,14 +214,18 @@ static void begin_substep(struct ts_projection *p, int d, double dt)
 	const double *before = p->void_before[d], *rate = p->void_rate[d],
 		     *now = p->fluid.void_fraction_face[d];
 	double *start = p->void_start[d], *mass = p->fluid.momentum_void_fraction[d];
-	const size_t size = p->fluid.grid.size;
 
+	for (int range = 0; range < ts_fluid_ranges(&p->fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(&p->fluid, range, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (size_t at = 0; at < size; at++) {
-		double own = (now[at] - before[at]) / p->void_elapsed;
+		for (size_t at = first; at < end; at++) {
+			double own = (now[at] - before[at]) / p->void_elapsed;
 
-		start[at] = before[at] + dt * (p->now_at > 0 ? (done - lag) * own : -lag * rate[at]);
-		mass[at] = start[at];
+			start[at] = before[at] + dt * (p->now_at > 0 ? (done - lag) * own : -lag * rate[at]);
+			mass[at] = start[at];
+		}
 	}
 }
 
@@ -178,14 +237,18 @@ static void advance_stage(struct ts_projection *p, int d, const struct ts_predic
 	const double *start = p->void_start[d];
 	double *last = p->void_stage[d], *mass = p->fluid.momentum_void_fraction[d];
 	const double keep = stage->keep, take = stage->take, dt = stage->dt;
-	const size_t size = p->fluid.grid.size;
 
+	for (int range = 0; range < ts_fluid_ranges(&p->fluid); range++) {
+		size_t from, end;
+
+		ts_fluid_range_values(&p->fluid, range, &from, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (size_t at = 0; at < size; at++) {
-		double change = first ? rate[at] : (now[at] - before[at]) / p->void_elapsed;
+		for (size_t at = from; at < end; at++) {
+			double change = first ? rate[at] : (now[at] - before[at]) / p->void_elapsed;
 
-		last[at] = mass[at];
-		mass[at] = keep * start[at] + take * (last[at] + dt * change);
+			last[at] = mass[at];
+			mass[at] = keep * start[at] + take * (last[at] + dt * change);
+		}
 	}
 }
 

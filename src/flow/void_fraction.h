@@ -14,7 +14,7 @@ static inline bool ts_projection_conservative(const struct ts_projection *projec
 }
 /* form conservative: sets the void fractions in the products e u of stage s of the predictor. */
 void ts_projection_stage_void_fraction(struct ts_projection *projection, struct ts_predictor *stage, int s);
-/* Integral of de/dt over the grid (volume/time). */
-double ts_projection_void_rate_integral(const struct ts_projection *projection);
+/* Integral of de/dt over the grid (volume/time), on all ranks. */
+enum ts_status ts_projection_void_rate_integral(const struct ts_projection *projection, double *integral);
 
 #endif

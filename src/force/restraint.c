@@ -1,6 +1,7 @@
 #include "force/restraint.h"
 
 #include "group/group_members.h"
+#include "core/ranks.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -8,7 +9,8 @@
 static enum ts_status refuse_distributed_forces(struct tsim *sim, const struct ts_instance *self,
 						const struct ts_instance *fix)
 {
-	if (fix->style->restraint->apply || !ts_groups_meet(sim->particles, self->group, fix->group))
+	if (fix->style->restraint->apply ||
+	    !(ts_ranks_most(sim, ts_groups_meet(sim->particles, self->group, fix->group)) > 0))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix %s: its force depends on how each particle will move by itself, but fix %s %s "

@@ -286,7 +286,7 @@ static enum ts_status read_output_name(struct ts_expr *e, const char *name, size
 	return ts_expr_locate_error(e, status, at, e->at);
 }
 
-/* Keywords that do not depend on the particles of other ranks; all ranks have the whole fluid. */
+/* Keywords that do not depend on the particles of other ranks; all ranks have the whole fluid where formulas read it. */
 enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX | TS_KEYWORD_FLUID };
 
 /* A thermo keyword. The values of some are known behind a run that is left out. */
@@ -299,6 +299,7 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 	enum ts_status status;
 
 	e->formulas->reads_all |= !(keyword->flags & ALONE);
+	e->formulas->reads_fluid |= keyword->flags & TS_KEYWORD_FIELDS;
 	if (e->sim->reading.dry)
 		return set_unknown(out);
 	if (!(keyword->flags & (ALONE | TS_KEYWORD_SUM)) ||

@@ -18,9 +18,10 @@ struct ts_formulas {
 	/* What depends on all particles, or on a clock or random numbers, has been read: several ranks, each with particles of
 	 * its own, would not read the same. */
 	bool reads_all;
-	size_t rows;	/* of the columns that are evaluated (ts_variable_columns); 0: there are none */
-	bool by_number; /* a variable with a column was used where only a number can be */
-	int depth;	/* nesting of formulas, through the variables they refer to */
+	bool reads_fluid; /* a number has been read that is computed from the fields of the fluid */
+	size_t rows;	  /* of the columns that are evaluated (ts_variable_columns); 0: there are none */
+	bool by_number;	  /* a variable with a column was used where only a number can be */
+	int depth;	  /* nesting of formulas, through the variables they refer to */
 	struct ts_random_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
 	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */

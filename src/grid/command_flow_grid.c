@@ -254,6 +254,7 @@ TS_STYLE(command, ts_command_style, ts_command_flow_grid)
 const struct ts_command_style ts_command_flow_grid = {
 	.style = { .name = "flow_grid",
 		   .kind = TS_KIND_COMMAND,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .summary = "sets the cell widths of the fluid grid along an axis",
 		   .doc = "Sets the positions of the cell faces along one axis. flow_style projection, which "
 			  "sets the number of cells, must come before. Default: uniform cells. Each axis is "

@@ -26,6 +26,7 @@ TS_STYLE(command, ts_command_style, ts_command_pressure_style)
 const struct ts_command_style ts_command_pressure_style = {
 	.style = { .name = "pressure_style",
 		   .kind = TS_KIND_COMMAND,
+		   .ranks = TS_RANKS_FORMULAS,
 		   .summary = "Selects the solver for the pressure of a fluid",
 		   .doc = "Replaces the present pressure style. Without this command, or with `auto`, the\n"
 			  "solver with the smallest estimated time is used, from measured times per cell:\n"

@@ -35,6 +35,7 @@ struct ts_poisson {
 	bool singular; /* no face gives a pressure */
 	int threads;
 	struct ts_slabs *slabs; /* planes of cells across the last axis, of ranks; NULL: no ranks */
+	bool apart;		/* each rank has weights of its own planes, and those beside them, only */
 };
 
 struct ts_poisson_report {
@@ -60,6 +61,8 @@ struct ts_pressure_style {
 	/* While ranks have slabs: whether `solve` reads rhs and sets p in the planes of this rank only; else it does in all
 	 * planes. NULL: it never does. */
 	bool (*divided)(const struct ts_instance *self);
+	/* The same for all weights that the problem may have; NULL: as `divided`. */
+	bool (*always_divided)(const struct ts_instance *self);
 	/* While ranks have slabs: exchanges what a solve of so many iterations exchanges, without solving, for the present
 	 * rank of their communicator (rank/rehearsal.h). NULL: it exchanges nothing. */
 	enum ts_status (*rehearse)(struct ts_instance *self, int iterations);

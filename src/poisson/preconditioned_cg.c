@@ -14,31 +14,52 @@ const char *const ts_preconditioner_names[] = { "auto", "diagonal", "direct", "m
  * to 14, each of twice the time. */
 static const double CONTRAST = 30;
 
+struct weight_range {
+	double least, most;
+};
+
+/* Of the faces across axis d that the flow can cross, in the rows of this rank. */
+static struct weight_range range_of_weights(const struct ts_stencil *s, const struct ts_poisson *problem,
+					    int d)
+{
+	double most = 0, least = INFINITY;
+	int last[3] = { s->n[0], s->n[1], s->n[2] };
+	long first, end;
+
+	for (int a = 0; a < 3; a++)
+		last[a] -= a != d || s->conductance[d][s->n[d]] == 0;
+	ts_slabs_rows(problem->apart ? problem->slabs : NULL, s->n[2], last[1] + 1, last[2] + 1 - s->n[2],
+		      &first, &end);
+#pragma omp parallel for num_threads(s->threads) schedule(static) reduction(max : most) reduction(min : least)
+	for (long row = first; row < end; row++) {
+		int j = (int)(row % (last[1] + 1)), k = (int)(row / (last[1] + 1));
+		const double *w = problem->weight[d] + ts_at(problem->grid, 0, j, k);
+
+		if ((d == 1 && s->conductance[1][j] == 0) || (d == 2 && s->conductance[2][k] == 0))
+			continue;
+		for (int i = d == 0 && s->conductance[0][0] == 0; i <= last[0]; i++) {
+			most = w[i] > most ? w[i] : most;
+			least = w[i] < least ? w[i] : least;
+		}
+	}
+	return (struct weight_range){ least, most };
+}
+
 /* Ratio of the largest to the smallest weight of faces that the flow can cross; INFINITY if the smallest
  * is 0. */
 static double weight_ratio(const struct ts_stencil *s, const struct ts_poisson *problem)
 {
-	double most = 0, least = INFINITY;
+	double most[2] = { 0, -INFINITY }; /* largest, and the smallest with another sign */
 
 	for (int d = 0; d < s->axes && problem->weight[d]; d++) {
-		int last[3] = { s->n[0], s->n[1], s->n[2] };
+		const struct weight_range range = range_of_weights(s, problem, d);
 
-		for (int a = 0; a < 3; a++)
-			last[a] -= a != d || s->conductance[d][s->n[d]] == 0;
-#pragma omp parallel for num_threads(s->threads) schedule(static) reduction(max : most) reduction(min : least)
-		for (int row = 0; row < (last[1] + 1) * (last[2] + 1); row++) {
-			int j = row % (last[1] + 1), k = row / (last[1] + 1);
-			const double *w = problem->weight[d] + ts_at(problem->grid, 0, j, k);
-
-			if ((d == 1 && s->conductance[1][j] == 0) || (d == 2 && s->conductance[2][k] == 0))
-				continue;
-			for (int i = d == 0 && s->conductance[0][0] == 0; i <= last[0]; i++) {
-				most = w[i] > most ? w[i] : most;
-				least = w[i] < least ? w[i] : least;
-			}
-		}
+		most[0] = fmax(most[0], range.most);
+		most[1] = fmax(most[1], -range.least);
 	}
-	return most > 0 ? most / least : 1;
+	if (problem->apart)
+		ts_world_most(problem->slabs->world, most, 2);
+	return most[0] > 0 ? most[0] / -most[1] : 1;
 }
 
 double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts_poisson *problem)
@@ -106,30 +127,44 @@ enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *
 }
 
 /* The preconditioner of the next solve. */
-static int choose_preconditioner(const struct ts_preconditioned *c)
+static int choose_preconditioner(const struct ts_preconditioned *c, const struct ts_poisson *problem)
 {
-	const struct ts_iteration *it = &c->iteration;
-
 	if (c->wanted != TS_PRECONDITION_AUTO)
 		return c->wanted;
-	return c->multigrid.levels && weight_ratio(&it->stencil, it->problem) > CONTRAST
+	return c->multigrid.levels && weight_ratio(&c->iteration.stencil, problem) > CONTRAST
 		       ? TS_PRECONDITION_MULTIGRID
 		       : TS_PRECONDITION_DIRECT;
+}
+
+static bool divides(const struct ts_preconditioned *c, int kind)
+{
+	return kind == TS_PRECONDITION_DIAGONAL ||
+	       (kind == TS_PRECONDITION_MULTIGRID && c->multigrid.divided) ||
+	       (kind == TS_PRECONDITION_HYPRE && ranks_of_hypre(c, c->iteration.problem)) ||
+	       (kind == TS_PRECONDITION_DIRECT && ts_direct_divided(&c->direct));
+}
+
+/* Where the weights choose, they choose anew before each solve. */
+bool ts_preconditioned_always_divided(const struct ts_instance *self)
+{
+	const struct ts_preconditioned *c = self->state;
+
+	if (ts_slabs_ranks(c->iteration.problem->slabs) == 1)
+		return false;
+	if (c->wanted != TS_PRECONDITION_AUTO)
+		return divides(c, c->wanted);
+	return divides(c, TS_PRECONDITION_DIRECT) &&
+	       (!c->multigrid.levels || divides(c, TS_PRECONDITION_MULTIGRID));
 }
 
 bool ts_preconditioned_divided(const struct ts_instance *self)
 {
 	const struct ts_preconditioned *c = self->state;
-	const struct ts_slabs *slabs = c->iteration.problem->slabs;
-	int kind;
+	const struct ts_poisson *problem = c->iteration.problem;
 
-	if (ts_slabs_ranks(slabs) == 1)
+	if (ts_slabs_ranks(problem->slabs) == 1)
 		return false;
-	kind = choose_preconditioner(c);
-	return kind == TS_PRECONDITION_DIAGONAL ||
-	       (kind == TS_PRECONDITION_MULTIGRID && c->multigrid.divided) ||
-	       (kind == TS_PRECONDITION_HYPRE && ranks_of_hypre(c, c->iteration.problem)) ||
-	       (kind == TS_PRECONDITION_DIRECT && ts_direct_divided(&c->direct));
+	return problem->apart || divides(c, choose_preconditioner(c, problem));
 }
 
 /* z = L^-1 (r/V), L the operator without weights: V L is symmetric. */
@@ -154,8 +189,11 @@ enum ts_status ts_preconditioned_rehearse(struct ts_instance *self, int iteratio
 {
 	struct ts_preconditioned *c = self->state;
 	struct ts_iteration *it = &c->iteration;
-	const int kind = choose_preconditioner(c);
+	struct ts_poisson whole = *it->problem;
+	int kind;
 
+	whole.apart = false; /* this process has all weights */
+	kind = choose_preconditioner(c, &whole);
 	it->stencil.slabs = ts_preconditioned_divided(self) ? it->problem->slabs : NULL;
 	TS_TRY(ts_direct_divide(&c->direct, c->direct.slabs));
 	ts_iteration_rehearse(it);
@@ -178,7 +216,7 @@ enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *si
 	struct ts_iteration *it = &c->iteration;
 	ts_precondition_fn *precondition = NULL;
 	void *context = c;
-	int kind = choose_preconditioner(c);
+	int kind = choose_preconditioner(c, it->problem);
 	double goal;
 
 	/* PFMG leaves out the smoothing of some levels, and is not symmetric then */

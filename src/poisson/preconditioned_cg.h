@@ -35,6 +35,7 @@ enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *
 					 const struct ts_poisson *problem);
 /* While ranks have slabs: whether they divide the next solve. */
 bool ts_preconditioned_divided(const struct ts_instance *self);
+bool ts_preconditioned_always_divided(const struct ts_instance *self);
 enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *sim, const double *rhs,
 				       double *p, struct ts_poisson_report *report);
 enum ts_status ts_preconditioned_rehearse(struct ts_instance *self, int iterations);

@@ -20,7 +20,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_cg)
 const struct ts_pressure_style ts_pressure_cg = {
 	.style = { .name = "cg",
 		   .kind = TS_KIND_PRESSURE,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .summary = "conjugate gradient method",
 		   .doc = "Solves for the pressure by preconditioned conjugate gradients (M. R. Hestenes "
 			  "and\n"
@@ -46,6 +46,7 @@ const struct ts_pressure_style ts_pressure_cg = {
 	.prepare = ts_preconditioned_prepare,
 	.solve = ts_preconditioned_solve,
 	.divided = ts_preconditioned_divided,
+	.always_divided = ts_preconditioned_always_divided,
 	.rehearse = ts_preconditioned_rehearse,
 	.looks = 1,
 	.cost = cost,

@@ -68,7 +68,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_direct)
 const struct ts_pressure_style ts_pressure_direct = {
 	.style = { .name = "direct",
 		   .kind = TS_KIND_PRESSURE,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .summary = "direct solver by fast Fourier transforms and eigenvectors",
 		   .doc = "The operator div grad of a Cartesian grid is a sum of one-dimensional operators.\n"
 			  "Along all axes but one the pressure is expanded in their modes: waves, by fast\n"

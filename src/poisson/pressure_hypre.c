@@ -63,7 +63,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_hypre)
 const struct ts_pressure_style ts_pressure_hypre = {
 	.style = { .name = "hypre",
 		   .kind = TS_KIND_PRESSURE,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .summary = "conjugate gradients with the multigrid preconditioner of the library hypre",
 		   .doc = "The iteration of pressure_style cg, with one V-cycle of PFMG of hypre as the\n"
 			  "preconditioner: semi-coarsening with Galerkin operators. This cycle is not\n"
@@ -97,6 +97,7 @@ const struct ts_pressure_style ts_pressure_hypre = {
 	.prepare = prepare,
 	.solve = ts_preconditioned_solve,
 	.divided = ts_preconditioned_divided,
+	.always_divided = ts_preconditioned_always_divided,
 	.cost = cost,
 	.fields = 25,
 };

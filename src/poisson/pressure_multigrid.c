@@ -27,7 +27,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_multigrid)
 const struct ts_pressure_style ts_pressure_multigrid = {
 	.style = { .name = "multigrid",
 		   .kind = TS_KIND_PRESSURE,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .summary = "conjugate gradients with a geometric multigrid preconditioner",
 		   .doc = "Solves for the pressure by conjugate gradients, preconditioned (O. Tatebe, NASA\n"
 			  "CP-3224 (1993) 621) by one V-cycle over successively coarser grids (A. Brandt,\n"
@@ -43,6 +43,7 @@ const struct ts_pressure_style ts_pressure_multigrid = {
 	.prepare = prepare,
 	.solve = ts_preconditioned_solve,
 	.divided = ts_preconditioned_divided,
+	.always_divided = ts_preconditioned_always_divided,
 	.rehearse = ts_preconditioned_rehearse,
 	.looks = 1,
 	.cost = cost,

@@ -95,7 +95,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_sor)
 const struct ts_pressure_style ts_pressure_sor = {
 	.style = { .name = "sor",
 		   .kind = TS_KIND_PRESSURE,
-		   .ranks = TS_RANKS_OWN,
+		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .summary = "successive over-relaxation in red-black order",
 		   .doc = "Iterates over the cells in red-black order and changes each pressure by\n"
 			  "`relaxation` times the change that would solve the equation of the cell. It\n"

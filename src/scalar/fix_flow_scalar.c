@@ -6,8 +6,10 @@
 
 #include "core/report.h"
 #include "coupling/cell_order.h"
+#include "coupling/near_particles.h"
 #include "coupling/interpolation_weights.h"
 #include "flow/flow.h"
+#include "flow/fluid_slabs.h"
 #include "flow/flow_arguments.h"
 #include "heat/heat.h"
 #include "law/drag.h"
@@ -117,7 +119,9 @@ static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *s
 	enum ts_status status =
 		ts_flow_read_set(sim, "fix flow/scalar: set", s->set, &self->where, &arena, set);
 
-	for (int k = 0; k < grid->n[2] && status == TS_OK; k++)
+	for (int k = 0; k < grid->n[2] && status == TS_OK; k++) {
+		if (!ts_fluid_has_plane(s->fluid, k))
+			continue;
 		for (int j = 0; j < grid->n[1] && status == TS_OK; j++)
 			for (int i = 0; i < grid->n[0] && status == TS_OK; i++) {
 				const double x[3] = { grid->centre[0][i], grid->centre[1][j],
@@ -128,6 +132,7 @@ static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *s
 					status = ts_number_now(sim, &s->initial, &self->where,
 							       &s->transport.value[ts_at(grid, i, j, k)]);
 			}
+	}
 	ts_arena_release(&arena);
 	s->known = status == TS_OK;
 	return status;
@@ -139,6 +144,7 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 				     double dt);
 static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				  double length);
+static void store_void_fraction(struct state *s);
 
 static enum ts_status find_heat(struct ts_instance *self, struct tsim *sim)
 {
@@ -173,7 +179,7 @@ static enum ts_status make_fields(struct ts_instance *self, struct tsim *sim)
 		t->void_fraction = ts_grid_field(&s->fluid->grid);
 		if (!t->void_fraction)
 			return ts_nomem(&sim->error);
-		memcpy(t->void_fraction, s->fluid->void_fraction, size * sizeof *t->void_fraction);
+		store_void_fraction(s);
 	}
 	s->size = size;
 	return TS_OK;
@@ -185,6 +191,19 @@ static const double *scalar(struct ts_instance *self)
 
 	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
 	return s->transport.value;
+}
+
+static void list_fields(struct ts_instance *self, struct ts_flow_part_fields *out)
+{
+	struct state *s = self->state;
+	struct ts_transport *t = &s->transport;
+
+	if (s->size != s->fluid->grid.size)
+		return;
+	*out = (struct ts_flow_part_fields){ .near = { s->heat ? t->value : NULL },
+					     .sum = { s->heat ? t->source : NULL },
+					     .plane = { s->heat ? NULL : t->value, t->void_fraction },
+					     .work = { t->rate, t->stage, s->heat ? NULL : t->source } };
 }
 
 static void rehearse(const struct ts_instance *self, const struct ts_fluid *fluid, double dt)
@@ -201,13 +220,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->part.after_substep = advance_scalar;
 	s->part.after_step = finish_step;
 	s->part.rehearse = rehearse;
+	s->part.fields = list_fields;
 	s->sim = sim;
 	if (!s->arguments_read)
 		TS_TRY(read_face_conditions(self, sim));
 	TS_TRY(find_heat(self, sim));
-	s->part.sends = (struct ts_flow_part_sends){ .particles = s->heat,
-						     .numbers = s->heat != NULL,
-						     .fields = s->heat != NULL };
+	s->part.sends = (struct ts_flow_part_sends){
+		.particles = s->heat, .numbers = s->heat != NULL, .sums = s->heat != NULL, .nearby = true
+	};
 	TS_TRY(make_fields(self, sim));
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
@@ -215,6 +235,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->known)
 		TS_TRY(set_initial_field(self, sim));
 	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
+	s->fluid->near.stale = true;
 	return TS_OK;
 }
 
@@ -270,6 +291,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 	if (!s->heat || sim->run.in_setup)
 		return TS_OK;
+	TS_TRY(ts_near_particles_ready(s->fluid, sim));
 	if (TS_GROW(s->heat_rate, s->heat_rate_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
@@ -290,10 +312,22 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_cell_order_share(&s->order, sim, s->heat_rate, 1, 1, &context.rate));
 	ts_cell_order_each(&s->order, ts_team(sim, s->order.sort->of.n), add_heat_source, &context);
 	s->steps++;
-	return ts_cell_order_spread(&s->order, sim, s->transport.source);
+	return ts_cell_order_gather(&s->order, sim, s->transport.source);
 }
 
 /* ---- with each step of the fluid */
+
+/* The mean over so many steps, in the planes of this rank. */
+static void divide_source(struct state *s, int64_t steps)
+{
+	for (int range = 0; range < ts_fluid_ranges(s->fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(s->fluid, range, &first, &end);
+		for (size_t k = first; k < end; k++)
+			s->transport.source[k] /= (double)steps;
+	}
+}
 
 static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				     double dt)
@@ -301,11 +335,22 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 	struct state *s = self->state;
 
 	TS_TRY(evaluate_conditions(self, sim));
-	for (size_t k = 0; s->steps > 1 && k < s->size; k++) /* the mean over these steps */
-		s->transport.source[k] /= (double)s->steps;
+	if (s->steps > 1)
+		divide_source(s, s->steps);
 	s->steps = s->steps ? 1 : 0;
 	ts_transport_advance(&s->transport, fluid, dt, ts_team(sim, s->size));
 	return TS_OK;
+}
+
+static void store_void_fraction(struct state *s)
+{
+	for (int range = 0; range < ts_fluid_ranges(s->fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(s->fluid, range, &first, &end);
+		memcpy(s->transport.void_fraction + first, s->fluid->void_fraction + first,
+		       (end - first) * sizeof *s->fluid->void_fraction);
+	}
 }
 
 static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
@@ -315,11 +360,11 @@ static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, st
 
 	(void)sim;
 	(void)length;
-	memset(s->transport.source, 0, s->size * sizeof *s->transport.source);
+	if (s->heat)
+		ts_fluid_clear(fluid, s->transport.source);
 	s->steps = 0;
 	if (fluid->void_fraction)
-		memcpy(s->transport.void_fraction, fluid->void_fraction,
-		       s->size * sizeof *fluid->void_fraction);
+		store_void_fraction(s);
 	return TS_OK;
 }
 
@@ -330,7 +375,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct state *s = self->state;
 	struct ts_transport *t = &s->transport;
 
-	(void)sim;
+	ts_flow_complete(sim);
 	TS_TRY(ts_archive_fixed(a, "value", TS_SAVED_F64, t->value, s->size));
 	TS_TRY(ts_archive_fixed(a, "source", TS_SAVED_F64, t->source, s->size));
 	return t->void_fraction ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->void_fraction, s->size)
@@ -351,8 +396,10 @@ static enum ts_status find_grid(const struct ts_instance *self, const struct ts_
 	const struct ts_fluid *fluid = ts_flow_fluid(s->sim);
 
 	*grid = fluid ? &fluid->grid : NULL;
-	if (fluid && fluid->grid.size == s->size)
+	if (fluid && fluid->grid.size == s->size) {
+		ts_flow_complete(s->sim);
 		return TS_OK;
+	}
 	return ts_fail(&s->sim->error, TS_STATE, &self->where,
 		       "fix flow/scalar: the flow style has been replaced, its scalar is not defined before "
 		       "the next run");
@@ -474,7 +521,7 @@ TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
 const struct ts_style ts_fix_flow_scalar = {
 	.name = "flow/scalar",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS | TS_RANKS_ROWLESS,
 	.summary = "Transport of temperature or another scalar by the fluid",
 	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void "
 	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any "

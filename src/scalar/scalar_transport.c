@@ -30,18 +30,22 @@ void ts_transport_release(struct ts_transport *t)
 }
 
 /* Sets the ghosts beyond a face with a given value, by linear extrapolation. */
-static void set_ghosts_by_value(const struct ts_grid *grid, int d, int side, double given, double *value)
+static void set_ghosts_by_value(const struct ts_fluid *fluid, int d, int side, double given, double *value)
 {
+	const struct ts_grid *grid = &fluid->grid;
 	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
 	ptrdiff_t out = side ? grid->stride[d] : -grid->stride[d];
 
 	i[d] = side ? grid->n[d] - 1 : 0;
-	for (i[b] = 0; i[b] < grid->n[b]; i[b]++)
+	for (i[b] = 0; i[b] < grid->n[b]; i[b]++) {
+		if (!ts_fluid_has_plane(fluid, i[2]))
+			continue;
 		for (i[a] = 0; i[a] < grid->n[a]; i[a]++) {
 			size_t at = ts_at(grid, i[0], i[1], i[2]);
 
 			value[(ptrdiff_t)at + out] = 2 * given - value[at];
 		}
+	}
 }
 
 void ts_transport_fill(const struct ts_transport *t, const struct ts_fluid *fluid, double *value)
@@ -52,7 +56,7 @@ void ts_transport_fill(const struct ts_transport *t, const struct ts_fluid *flui
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
 			if (t->face[d][side].condition == TS_SCALAR_VALUE)
-				set_ghosts_by_value(grid, d, side, t->face[d][side].now, value);
+				set_ghosts_by_value(fluid, d, side, t->face[d][side].now, value);
 }
 
 /* T convected through an inner face, from the second and first point upwind and the first downwind. */
@@ -186,7 +190,7 @@ static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, doub
 #pragma omp parallel for num_threads(threads) schedule(static)
 	for (size_t k = first; k < end; k++)
 		t->stage[k] = value_after(t, fluid, k, 1, (e ? e[k] : 1) * t->value[k], dt);
-	ts_fluid_slabs_share(fluid, t->stage);
+	ts_fluid_slabs_share_halo(fluid, t->stage);
 	ts_transport_fill(t, fluid, t->stage);
 	find_rate(t, fluid, t->stage, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
@@ -196,10 +200,13 @@ static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, doub
 		t->value[k] =
 			value_after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
 	}
-	ts_fluid_slabs_share(fluid, t->value);
+	ts_fluid_slabs_share_halo(fluid, t->value);
+	for (int range = 0; range < ts_fluid_ranges(fluid) && e; range++) {
+		ts_fluid_range_values(fluid, range, &first, &end);
 #pragma omp parallel for num_threads(threads) schedule(static)
-	for (size_t k = 0; k < (e ? fluid->grid.size : 0); k++)
-		e[k] = void_fraction_after(t, fluid, k, dt);
+		for (size_t k = first; k < end; k++)
+			e[k] = void_fraction_after(t, fluid, k, dt);
+	}
 }
 
 /* Number of substeps over dt. */
@@ -211,8 +218,8 @@ static long count_parts(const struct ts_transport *t, const struct ts_fluid *flu
 void ts_transport_rehearse(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
 {
 	for (long k = count_parts(t, fluid, dt); k > 0; k--) {
-		ts_fluid_slabs_share(fluid, t->stage);
-		ts_fluid_slabs_share(fluid, t->value);
+		ts_fluid_slabs_share_halo(fluid, t->stage);
+		ts_fluid_slabs_share_halo(fluid, t->value);
 	}
 }
 

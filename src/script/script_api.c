@@ -110,15 +110,27 @@ static enum ts_status api_check_variable(void *data, const char *name, enum ts_s
 	return ts_dry_run_end(get_formulas(data), before, status, true);
 }
 
-static bool api_reads_all(void *data, const char *name)
+/* Notes what the formula of a variable, and those that it uses, read. */
+static void note_reads(void *data, const char *name)
 {
 	struct ts_formulas *formulas = get_formulas(data);
 
-	formulas->reads_all = false;
+	formulas->reads_all = formulas->reads_fluid = false;
 	if (api_check_variable(data, name, api_is_peratom(data, name) ? TS_PERATOM : TS_SCALAR, NULL) !=
 	    TS_OK)
 		ts_error_clear(&formulas->sim->error); /* whoever evaluates it says so */
-	return formulas->reads_all;
+}
+
+static bool api_reads_all(void *data, const char *name)
+{
+	note_reads(data, name);
+	return get_formulas(data)->reads_all;
+}
+
+static bool api_reads_fluid(void *data, const char *name)
+{
+	note_reads(data, name);
+	return get_formulas(data)->reads_fluid;
 }
 
 static bool api_words_of_variable(void *data, const char *name, struct ts_words *out)
@@ -296,6 +308,7 @@ const struct ts_script_api ts_script_api_table = {
 	.columns = api_columns,
 	.check_variable = api_check_variable,
 	.reads_all = api_reads_all,
+	.reads_fluid = api_reads_fluid,
 	.words_of_variable = api_words_of_variable,
 	.check_commands = api_check_commands,
 	.check_text = api_check_text,

@@ -289,16 +289,17 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 /* Whether the ranks can evaluate the column together while the particles are divided. */
 static bool is_sum(const struct tsim *sim, const struct ts_thermo_column *c)
 {
-	enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX };
+	enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX | TS_KEYWORD_FLUID };
 	const struct ts_keyword *keyword = ts_keyword_find(sim->tables, c->input.name);
 	const struct ts_ref *ref = &c->input.ref;
 	struct ts_word word = { .text = c->input.name };
 
 	if (keyword)
-		return keyword->flags & (ALONE | TS_KEYWORD_SUM);
+		return keyword->flags & (ALONE | TS_KEYWORD_SUM) && !(keyword->flags & TS_KEYWORD_FIELDS);
 	if (ref->inst && ref->removals == sim->removals && ref->inst->style->ranks & TS_RANKS_SUMS)
 		return !sim->particles->dynamic[ref->inst->group].every;
-	return !ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 });
+	return !ts_ranks_find_shared(sim, (struct ts_words){ &word, 1 }) &&
+	       !ts_ranks_variable_reads_fluid(sim, word.text);
 }
 
 /* Whether an outside program may read particles at a row. */
@@ -320,8 +321,7 @@ static bool may_be_due(const struct ts_instance *self, const struct tsim *sim)
 	for (size_t k = 0; k < t->n; k++)
 		if (!is_sum(sim, &t->column[k]))
 			return true;
-	/* ranks get all of a fluid, too, when they get all particles */
-	return is_watched(sim) || t->variable || sim->instances[TS_KIND_FLOW].n > 0;
+	return is_watched(sim) || t->variable;
 }
 
 static void names(const struct ts_instance *self, void (*tell)(void *data, const char *text), void *data)

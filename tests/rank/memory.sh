@@ -79,10 +79,10 @@ awk 'NR == 1 { m = $1 } END { m = ($1 - m) * 1024 / (64^3 - 20^3); print m; exit
 report 'bytes of a particle on three ranks' $? compared
 cat compared
 
-# fluid SOLVER LEAST MOST: bytes of a cell more, of the largest of four ranks: a fluid that nothing reads takes a part of it in each
+# fluid SOLVER LEAST MOST [SCRIPT]: bytes of a cell more, of the largest of four ranks: a fluid takes a part of it in each
 fluid() {
 	for n in 48 96; do
-		on_ranks 4 /usr/bin/time -f %M -a -o kilobytes "$TSIM" -in in.cavity -log none -screen none -var n $n \
+		on_ranks 4 /usr/bin/time -f %M -a -o kilobytes "$TSIM" -in "${4:-in.cavity}" -log none -screen none -var n $n \
 			-var solver "$1" >out 2>&1 </dev/null
 		report "$1, $n cells, four ranks" $? out
 		sort -n kilobytes | tail -1
@@ -90,7 +90,7 @@ fluid() {
 	done >measured
 	awk -v least="$2" -v most="$3" '/^[0-9]+$/ { m = b; b = $1 }
 		END { m = (b - m) * 1024 / (96^3 - 48^3); print m; exit !(m > least && m < most) }' measured >compared
-	report "bytes of a cell on four ranks, $1" $? compared
+	report "bytes of a cell on four ranks, $1, ${4:-in.cavity}" $? compared
 	cat compared
 }
 cat >in.cavity <<'E2'
@@ -106,6 +106,36 @@ thermo_style	custom step flow_cfl
 run		2
 run		1
 E2
+# Grains that feel it: also what is near those of the rank. 350 on one rank.
+cat >in.grains <<'E2'
+units		si
+atom_style	sphere
+boundary	f f f
+newton		off
+communicate	single vel yes
+processors	1 1 *
+region		box block 0 1 0 1 0 1 units box
+create_box	1 box
+neighbor	0.002 bin
+lattice		sc 0.05 origin 0.5 0.5 0.5
+create_atoms	1 box
+set		group all diameter 0.01 density 2500
+velocity	all set 0.1 0 -0.1 units box
+pair_style	gran/hooke/history 5000 NULL 5 NULL 0.5 1
+pair_coeff	* *
+flow_style	projection cells ${n} ${n} ${n} viscosity 0.01 density 1
+flow_boundary	zlo inlet velocity 0 0 0.1
+flow_boundary	zhi outlet
+pressure_style	${solver}
+fix		e all void_fraction
+fix		drag all drag/di_felice scheme implicit
+fix		push all flow/pressure_gradient
+fix		move all nve/sphere
+timestep	0.00001
+thermo_style	custom step flow_cfl
+run		2
+run		1
+E2
 # The memory of a grid is taken when it is written: one that is too large is told before.
 on_ranks 2 "$TSIM" -in in.cavity -log none -screen none -var n 20000 -var solver direct >out 2>&1 </dev/null
 [ $? != 0 ] && [ "$(grep -c 'in.cavity:5:.*out of memory: 20000 x 20000 x 20000 cells need 5.12e+05 GB' out)" = 1 ]
@@ -114,4 +144,5 @@ report 'a grid beyond the memory, two ranks' $? out
 fluid direct 20 40
 fluid 'cg preconditioner diagonal' 35 60
 fluid multigrid 40 70
+fluid cg 90 170 in.grains
 finish

@@ -115,11 +115,11 @@ iterations_of() {
 	sed 's/^thermo .*/thermo 1/; s/^run .*/thermo_style custom step flow_iter\n&/' in.twelve >in.one
 	"$TSIM" -in in.one -log none >out 2>&1 && awk 'NF == 2 && $1 ~ /^[0-9]+$/ && $1 > 2 { n += $2 } END { print n + 0 }' out
 }
-for scene in bed gas fluid; do
+for scene in bed gas fluid current; do
 	short $scene 2 >in.two
 	short $scene 12 >in.twelve
 	iterations=0
-	[ $scene != fluid ] || iterations=$(iterations_of)
+	! grep -q ^flow_style in.two || iterations=$(iterations_of)
 	for n in 2 3 7; do
 		planned $scene $n "$iterations"
 	done

@@ -82,6 +82,8 @@ sed 's/boundary f p p/boundary p p f/; s/^flow_boundary.*/flow_boundary zhi outl
 	s/17 14 13/17 14 23/; s/^dump.*/variable e atom flow_ke\ndump last all custom 36 ${out}.dump id v_e\ndump_modify last format float %.17g/' \
 	"$scenes/in.slabs" >in.planes
 resumed in.planes 17 19 "$lines|flow|pressure"
+sed 's/density 900/& every 4/; s/custom 60/custom 9/' "$scenes/in.current" >in.strewn
+resumed in.strewn 63 27 "$lines|flow"
 resumed "$top_srcdir/tests/decks/in.insertion" 400 300 "$lines|region[[:space:]]+(low|tube|egg)"
 for name in "${names[@]}"; do
 	mkdir -p "whole/$name"
