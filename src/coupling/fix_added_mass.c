@@ -178,8 +178,7 @@ static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix added_mass: particle %.0f belongs to a rigid body, which does not follow the "
-		       "force on one of "
-		       "its spheres: use a group without bodies",
+		       "force on one of its spheres: use a group without bodies",
 		       member);
 }
 

@@ -106,6 +106,16 @@ for name in "${names[@]}"; do
 	done
 done
 
+# What is said of a fluid with grains is said once: of its cells, of limits, and by the review of a fix.
+sed 's/boundary p p f/boundary p p p/; /^flow_boundary/d; /^fix floor/d; s/cells 12 6 30/cells 32 16 64/; s/^run 110/run 3/; s/^run 60/run 2/
+	s/all void_fraction/& least 0.7/' "$scenes/in.current" >in.told
+told() { sed -n 's/^[^ ]*in.told:\([0-9]*: warning: .*\)/\1/p' out >"$1"; }
+"$TSIM" -in in.told -log none -var out told >out 2>&1 && told told.1
+ranks 3 -in in.told -log none -var out told && told told.3
+same 'warnings of three ranks' told.1 told.3
+[ "$(grep -cE 'momentum|void fraction down to|laws of drag hold' told.1)" = 4 ]
+report 'four warnings' $? told.1
+
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
 ranks 2 -in in.blocks -log log.2 -screen none -var out many
