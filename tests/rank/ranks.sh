@@ -108,13 +108,13 @@ done
 
 # What is said of a fluid with grains is said once: of its cells, of limits, and by the review of a fix.
 sed 's/boundary p p f/boundary p p p/; /^flow_boundary/d; /^fix floor/d; s/cells 12 6 30/cells 32 16 64/; s/^run 110/run 3/; s/^run 60/run 2/
-	s/all void_fraction/& least 0.7/' "$scenes/in.current" >in.told
-told() { sed -n 's/^[^ ]*in.told:\([0-9]*: warning: .*\)/\1/p' out >"$1"; }
-"$TSIM" -in in.told -log none -var out told >out 2>&1 && told told.1
-ranks 3 -in in.told -log none -var out told && told told.3
-same 'warnings of three ranks' told.1 told.3
-[ "$(grep -cE 'momentum|void fraction down to|laws of drag hold' told.1)" = 4 ]
-report 'four warnings' $? told.1
+	s/all void_fraction/& least 0.7/' "$scenes/in.current" >in.said
+said() { sed -n 's/^[^ ]*in.said:\([0-9]*: warning: .*\)/\1/p' out >"$1"; }
+"$TSIM" -in in.said -log none -var out said >out 2>&1 && said said.1
+ranks 3 -in in.said -log none -var out said && said said.3
+same 'warnings of three ranks' said.1 said.3
+[ "$(grep -cE 'momentum|void fraction down to|laws of drag hold' said.1)" = 4 ]
+report 'four warnings' $? said.1
 
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
