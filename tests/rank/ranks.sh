@@ -116,6 +116,26 @@ same 'warnings of three ranks' said.1 said.3
 [ "$(grep -cE 'momentum|void fraction down to|laws of drag hold' said.1)" = 4 ]
 report 'four warnings' $? said.1
 
+# So is what the review of a fix finds that reads no particles: this mesh leaves the box.
+cat >plate.stl <<'E2'
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0.02 0.01 0
+vertex 0.06 0.01 0
+vertex 0.02 0.03 0
+endloop
+endfacet
+endsolid plate
+E2
+{
+	grep -Ev '^(run|dump|fix mean|processors)' "$scenes/in.bed" | sed 's/boundary p f f/boundary f f f/'
+	printf 'fix plate all mesh/surface file plate.stl type 1 move 0 0 0.058\nfix push all move/mesh mesh plate linear 0 0 10\nrun 15\n'
+} >in.leaving
+ranks 2 -in in.leaving -log none -var out leaving
+[ "$(grep -c 'mesh plate leaves the box in a time of .*mesh_leaves' out)" = 1 ]
+report 'a mesh that leaves, on two ranks' $? out
+
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
 ranks 2 -in in.blocks -log log.2 -screen none -var out many
