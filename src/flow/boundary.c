@@ -255,7 +255,7 @@ static double velocity_across(const struct ts_fluid *fluid, int d, enum ts_grid_
 			       : given->constant[d];
 }
 
-/* Whether nothing flows through a face, at any time. */
+/* Whether nothing flows through a face now. */
 static bool is_tight(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
 {
 	const struct ts_flow_face_velocity *given = &fluid->face_velocity[d][side];
@@ -270,7 +270,8 @@ bool ts_projection_is_tight(const struct ts_projection *p)
 
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
-			tight &= is_tight(&p->fluid, d, (enum ts_grid_side)side);
+			tight &= !p->condition[d][side].velocity[d].variable &&
+				 is_tight(&p->fluid, d, (enum ts_grid_side)side);
 	return tight;
 }
 
