@@ -20,8 +20,7 @@ static bool note_changes(struct ts_cell_sort *sort, const struct tsim *sim, cons
 	const struct ts_particles *p = sim->particles;
 	/* of all particles, or of those near own cells */
 	const uint64_t grid =
-		ts_cell_owners_hash(&fluid->grid, sim->division ? &sim->division->blocks : NULL) +
-		fluid->near.active;
+		ts_cell_owners_hash(&fluid->grid, ts_division_blocks_now(sim)) + fluid->near.active;
 	const bool divided = sim->division;
 	bool changed = sort->nlast != p->n || sort->grid != grid || sort->divided != divided ||
 		       (divided && sort->reach < reach);
@@ -150,7 +149,7 @@ static enum ts_status make_room(struct ts_cell_sort *sort, size_t n, size_t ncel
 static enum ts_status make_rows(struct ts_cell_sort *sort, struct tsim *sim, struct ts_fluid *fluid, bool all)
 {
 	const size_t own = sort->of.own, ncells = ts_cell_frame_cells(&sort->frame);
-	const struct ts_rank_blocks *blocks = sim->division ? &sim->division->blocks : NULL;
+	const struct ts_rank_blocks *blocks = ts_division_blocks_now(sim);
 	struct ts_cell_space space;
 
 	TS_TRY(make_room(sort, own, ncells));

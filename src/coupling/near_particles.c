@@ -57,9 +57,8 @@ static enum ts_status follow_changes(struct ts_fluid *fluid, struct tsim *sim)
 	if (!ts_fluid_divided(fluid) || (sim->division && fluid->near.active))
 		return TS_OK;
 	fluid->near.stale = fluid->near.wanted = true;
-	return ts_slab_step_begin_apart(p, sim, sim->division ? &sim->division->blocks : NULL) == TS_OK
-		       ? TS_OK
-		       : ts_nomem(&sim->error);
+	return ts_slab_step_begin_apart(p, sim, ts_division_blocks_now(sim)) == TS_OK ? TS_OK
+										      : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_near_particles_agree(struct ts_fluid *fluid, struct tsim *sim, double *value, size_t n)

@@ -287,7 +287,7 @@ static struct ts_fluid *fluid(const struct ts_instance *self)
 
 static const struct ts_rank_blocks *blocks(const struct tsim *sim)
 {
-	return sim->division ? &sim->division->blocks : NULL;
+	return ts_division_blocks_now(sim);
 }
 
 static void complete(struct ts_instance *self, const struct tsim *sim)

@@ -1,5 +1,7 @@
 #include "flow/fluid_slabs.h"
 
+#include <string.h>
+
 #include "base/banned.h"
 
 struct ts_slabs_field ts_fluid_slabs_field(const struct ts_grid *grid, double *field)
@@ -34,6 +36,27 @@ bool ts_fluid_has_plane(const struct ts_fluid *fluid, int k)
 	for (int range = 0; range < fluid->planes.ranges; range++)
 		has |= k >= fluid->planes.range[range].from && k < fluid->planes.range[range].to;
 	return has;
+}
+
+void ts_fluid_copy_field(const struct ts_fluid *fluid, double *to, const double *from)
+{
+	for (int range = 0; range < ts_fluid_ranges(fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
+		memcpy(to + first, from + first, (end - first) * sizeof *to);
+	}
+}
+
+void ts_fluid_divide_field(const struct ts_fluid *fluid, double *field, double by)
+{
+	for (int range = 0; range < ts_fluid_ranges(fluid); range++) {
+		size_t first, end;
+
+		ts_fluid_range_values(fluid, range, &first, &end);
+		for (size_t k = first; k < end; k++)
+			field[k] /= by;
+	}
 }
 
 void ts_fluid_slabs_planes(const struct ts_fluid *fluid, int *first, int *end)

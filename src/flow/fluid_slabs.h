@@ -11,6 +11,9 @@ struct ts_slabs_field ts_fluid_slabs_field(const struct ts_grid *grid, double *f
 int ts_fluid_ranges(const struct ts_fluid *fluid);
 void ts_fluid_range_values(const struct ts_fluid *fluid, int range, size_t *first, size_t *end);
 bool ts_fluid_has_plane(const struct ts_fluid *fluid, int k);
+/* In these planes: a field becomes a copy of another one, or is divided by a number. */
+void ts_fluid_copy_field(const struct ts_fluid *fluid, double *to, const double *from);
+void ts_fluid_divide_field(const struct ts_fluid *fluid, double *field, double by);
 /* Planes of cells, first .. end - 1, that this rank computes. */
 void ts_fluid_slabs_planes(const struct ts_fluid *fluid, int *first, int *end);
 /* Rows of cells along the first axis, first .. end - 1, of this rank: row = j + k n[1]. */

@@ -271,23 +271,12 @@ static double initial_mean_weight(const struct ts_flow_time_scheme *scheme)
 	return 1 / product;
 }
 
-static void divide_field(const struct ts_fluid *fluid, double *field, double by)
-{
-	for (int range = 0; range < ts_fluid_ranges(fluid) && field; range++) {
-		size_t first, end;
-
-		ts_fluid_range_values(fluid, range, &first, &end);
-		for (size_t k = first; k < end; k++)
-			field[k] /= by;
-	}
-}
-
 static void divide_exchange_means(struct ts_projection *p, double by)
 {
-	for (int d = 0; d < 3 && by > 1; d++)
-		divide_field(&p->fluid, p->fluid.exchange_velocity[d], by);
-	if (by > 1)
-		divide_field(&p->fluid, p->fluid.p_mean, by);
+	for (int d = 0; d < 3 && by > 1 && p->fluid.exchange_velocity[d]; d++)
+		ts_fluid_divide_field(&p->fluid, p->fluid.exchange_velocity[d], by);
+	if (by > 1 && p->fluid.p_mean)
+		ts_fluid_divide_field(&p->fluid, p->fluid.p_mean, by);
 }
 
 enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length)

@@ -239,12 +239,11 @@ static enum ts_status take_planes(struct ts_projection *p, const struct tsim *si
 }
 
 enum ts_status ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim,
-				  const struct ts_rank_blocks *blocks, bool *fewer)
+				  const struct ts_rank_blocks *blocks)
 {
 	const bool divides = sim->world && ts_slab_step_divides(p, sim->world->n),
 		   some = divides && stays_apart(p, sim, blocks), were = ts_fluid_divided(&p->fluid);
 
-	*fewer = some && !were;
 	if (some)
 		return take_planes(p, sim, blocks, were);
 	ts_slab_step_complete(p, sim);
@@ -255,10 +254,10 @@ enum ts_status ts_slab_step_begin(struct ts_projection *p, const struct tsim *si
 enum ts_status ts_slab_step_begin_apart(struct ts_projection *p, const struct tsim *sim,
 					const struct ts_rank_blocks *blocks)
 {
-	bool fewer;
+	const bool had_all = !ts_fluid_divided(&p->fluid);
 
-	TS_TRY(ts_slab_step_begin(p, sim, blocks, &fewer));
-	if (fewer)
+	TS_TRY(ts_slab_step_begin(p, sim, blocks));
+	if (had_all && ts_fluid_divided(&p->fluid))
 		forget(p, sim);
 	return TS_OK;
 }

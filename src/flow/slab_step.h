@@ -8,9 +8,9 @@
 bool ts_slab_step_divides(const struct ts_projection *projection, int ranks);
 
 /* Before a step, while the particles are divided among ranks into these blocks (NULL: they are not): chooses the planes
- * that a rank has, and what it has near its particles. *fewer: it has had all until now, and needs these only. */
+ * that a rank has, and what it has near its particles. */
 enum ts_status ts_slab_step_begin(struct ts_projection *projection, const struct tsim *sim,
-				  const struct ts_rank_blocks *blocks, bool *fewer);
+				  const struct ts_rank_blocks *blocks);
 /* The same; planes that are not needed take no memory any more. */
 enum ts_status ts_slab_step_begin_apart(struct ts_projection *projection, const struct tsim *sim,
 					const struct ts_rank_blocks *blocks);

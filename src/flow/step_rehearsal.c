@@ -103,10 +103,9 @@ static enum ts_status rehearse_step(struct ts_instance *self, struct tsim *sim, 
 	struct ts_projection *p = self->state;
 	const double length = (double)p->every * sim->clock.dt;
 	enum ts_status status = TS_OK;
-	bool fewer;
 
 	p->fluid.planes.ranges = 0; /* those of another rank */
-	TS_TRY(ts_slab_step_begin(p, sim, of->blocks, &fewer));
+	TS_TRY(ts_slab_step_begin(p, sim, of->blocks));
 	of->near = p->fluid.near.active;
 	for (int64_t k = 0; k < p->every && of->near; k++)
 		count_gathers(p, sim);
@@ -151,12 +150,11 @@ static enum ts_status count_planes(struct ts_instance *self, struct tsim *sim, s
 {
 	struct ts_projection *p = self->state;
 	struct ts_world *world = sim->world;
-	bool fewer;
 
 	TS_TRY(use_ranks(p, sim));
 	for (world->rank = 0; world->rank < world->n; world->rank++) {
 		p->fluid.planes.ranges = 0;
-		TS_TRY(ts_slab_step_begin(p, sim, of->blocks, &fewer));
+		TS_TRY(ts_slab_step_begin(p, sim, of->blocks));
 		add_planes_of_rank(&p->fluid, &of->planes);
 	}
 	world->rank = 0;

@@ -85,16 +85,6 @@ static enum ts_status allocate_vector(const struct ts_projection *p, double *fie
 	return TS_OK;
 }
 
-static void copy_field(const struct ts_fluid *fluid, double *to, const double *from)
-{
-	for (int range = 0; range < ts_fluid_ranges(fluid); range++) {
-		size_t first, end;
-
-		ts_fluid_range_values(fluid, range, &first, &end);
-		memcpy(to + first, from + first, (end - first) * sizeof *to);
-	}
-}
-
 static enum ts_status store_momentum_void_fraction(struct ts_projection *p, double elapsed)
 {
 	struct ts_fluid *fluid = &p->fluid;
@@ -107,7 +97,7 @@ static enum ts_status store_momentum_void_fraction(struct ts_projection *p, doub
 	p->void_elapsed = elapsed;
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		if (p->empty_known) {
-			copy_field(fluid, p->void_before[d], fluid->void_fraction_face[d]);
+			ts_fluid_copy_field(fluid, p->void_before[d], fluid->void_fraction_face[d]);
 			interpolate_to_faces(p, d, fluid->void_fraction_rate, p->void_rate[d]);
 		} else {
 			interpolate_to_faces(p, d, fluid->void_fraction, p->void_before[d]);

@@ -121,4 +121,10 @@ enum ts_status ts_division_cut_equal(struct tsim *sim, struct ts_rank_blocks *bl
 /* Whether the coordinate x is within `reach` of the block of this rank; without ranks always. */
 bool ts_division_near(const struct tsim *sim, int dim, double x, double reach);
 
+/* Those of the ranks; NULL while each has all particles. */
+static inline const struct ts_rank_blocks *ts_division_blocks_now(const struct tsim *sim)
+{
+	return sim->division ? &sim->division->blocks : NULL;
+}
+
 #endif

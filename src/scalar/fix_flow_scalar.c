@@ -144,7 +144,6 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 				     double dt);
 static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				  double length);
-static void store_void_fraction(struct state *s);
 
 static enum ts_status find_heat(struct ts_instance *self, struct tsim *sim)
 {
@@ -179,7 +178,7 @@ static enum ts_status make_fields(struct ts_instance *self, struct tsim *sim)
 		t->void_fraction = ts_grid_field(&s->fluid->grid);
 		if (!t->void_fraction)
 			return ts_nomem(&sim->error);
-		store_void_fraction(s);
+		ts_fluid_copy_field(s->fluid, t->void_fraction, s->fluid->void_fraction);
 	}
 	s->size = size;
 	return TS_OK;
@@ -317,40 +316,17 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 /* ---- with each step of the fluid */
 
-/* The mean over so many steps, in the planes of this rank. */
-static void divide_source(struct state *s, int64_t steps)
-{
-	for (int range = 0; range < ts_fluid_ranges(s->fluid); range++) {
-		size_t first, end;
-
-		ts_fluid_range_values(s->fluid, range, &first, &end);
-		for (size_t k = first; k < end; k++)
-			s->transport.source[k] /= (double)steps;
-	}
-}
-
 static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				     double dt)
 {
 	struct state *s = self->state;
 
 	TS_TRY(evaluate_conditions(self, sim));
-	if (s->steps > 1)
-		divide_source(s, s->steps);
+	if (s->steps > 1) /* the mean over these steps */
+		ts_fluid_divide_field(fluid, s->transport.source, (double)s->steps);
 	s->steps = s->steps ? 1 : 0;
 	ts_transport_advance(&s->transport, fluid, dt, ts_team(sim, s->size));
 	return TS_OK;
-}
-
-static void store_void_fraction(struct state *s)
-{
-	for (int range = 0; range < ts_fluid_ranges(s->fluid); range++) {
-		size_t first, end;
-
-		ts_fluid_range_values(s->fluid, range, &first, &end);
-		memcpy(s->transport.void_fraction + first, s->fluid->void_fraction + first,
-		       (end - first) * sizeof *s->fluid->void_fraction);
-	}
 }
 
 static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
@@ -364,7 +340,7 @@ static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, st
 		ts_fluid_clear(fluid, s->transport.source);
 	s->steps = 0;
 	if (fluid->void_fraction)
-		store_void_fraction(s);
+		ts_fluid_copy_field(fluid, s->transport.void_fraction, fluid->void_fraction);
 	return TS_OK;
 }
 

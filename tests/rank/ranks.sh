@@ -136,6 +136,45 @@ ranks 2 -in in.leaving -log none -var out leaving
 [ "$(grep -c 'mesh plate leaves the box in a time of .*mesh_leaves' out)" = 1 ]
 report 'a mesh that leaves, on two ranks' $? out
 
+# A fluid that is at rest, and then comes in and leaves by given velocities: no face is open, and the void fraction counts on all.
+cat >in.ramp <<'E2'
+units si
+atom_style sphere
+boundary f f f
+newton off
+communicate single vel yes
+processors 1 1 *
+region box block 0 0.048 0 0.024 0 0.096 units box
+create_box 1 box
+neighbor 0.0004 bin
+lattice sc 0.004 origin 0.5 0.5 0.5
+region mid block 0.012 0.036 0 0.024 0.02 0.07 units box
+create_atoms 1 region mid
+set group all diameter 0.0015 density 2500
+velocity all set 0 0 -0.5 units box
+pair_style gran/hooke/history 5000 NULL 5 NULL 0.5 1
+pair_coeff * *
+timestep 1e-5
+flow_style projection cells 12 6 30 viscosity 1e-2 density 900
+variable up equal 300*time
+flow_boundary xlo inlet velocity v_up 0 0
+variable out2 equal 600*time
+flow_boundary zhi inlet velocity 0 0 v_out2
+fix e all void_fraction
+fix drag all drag/di_felice scheme implicit
+fix move all nve/sphere
+thermo_style custom step ke f_drag[1]
+thermo_modify format float %.17g lost ignore
+thermo 3
+dump grains all custom 3 ${out}.dump id x vx fx fy fz
+dump_modify grains format float %.17g sort id
+run 6
+E2
+"$TSIM" -in in.ramp -log none -screen none -var out ramp.1 >out 2>&1
+report 'a ramp, alone' $? out
+ranks 3 -in in.ramp -log none -screen none -var out ramp.3
+same 'a ramp, three ranks' ramp.1.dump ramp.3.dump
+
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
 ranks 2 -in in.blocks -log log.2 -screen none -var out many
