@@ -202,10 +202,11 @@ static void visit_sheared(const struct ts_domain *domain, const struct ts_rank_b
 	}
 }
 
-void ts_copies_visit(const struct ts_domain *domain, const struct ts_rank_blocks *blocks, int owner,
-		     const double x[3], double cutoff, ts_rank_visit_fn *visit, void *context)
+void ts_copies_visit(const struct ts_domain *domain, const struct ts_rank_blocks *blocks,
+		     const struct ts_rank_block *own, const double x[3], double cutoff,
+		     ts_rank_visit_fn *visit, void *context)
 {
-	if (!ts_rank_blocks_inside(blocks, owner, x, cutoff))
+	if (!ts_rank_block_inside(own, x, cutoff))
 		ts_rank_blocks_visit(blocks, x, cutoff, visit, context);
 	if (domain->box.shear.on)
 		visit_sheared(domain, blocks, x, cutoff, visit, context);
@@ -213,12 +214,13 @@ void ts_copies_visit(const struct ts_domain *domain, const struct ts_rank_blocks
 
 static enum ts_status find_copies(const struct tsim *sim, double cutoff, struct sending *s)
 {
+	const struct ts_rank_blocks *blocks = &sim->division->blocks;
+	const struct ts_rank_block own = ts_rank_blocks_block(blocks, s->own);
 	const struct ts_particles *p = sim->particles;
 
 	for (size_t i = 0; i < p->n && s->status == TS_OK; i++) {
 		s->particle = (int32_t)i;
-		ts_copies_visit(sim->domain, &sim->division->blocks, s->own, p->xhold[i], cutoff, note_copy,
-				s);
+		ts_copies_visit(sim->domain, blocks, &own, p->xhold[i], cutoff, note_copy, s);
 	}
 	if (sim->domain->box.shear.on)
 		remove_repeated(s);

@@ -48,10 +48,11 @@ enum ts_status ts_claims_add(struct tsim *sim, struct ts_claims *claims, int32_t
 /* All members of a rigid body. */
 enum ts_status ts_claims_add_body(struct tsim *sim, struct ts_claims *claims, int32_t body);
 
-/* Visits the ranks whose blocks are within `cutoff` of a periodic image of x, the place of a particle of `owner` at the last
- * rebuild; in a sheared box some twice. */
-void ts_copies_visit(const struct ts_domain *domain, const struct ts_rank_blocks *blocks, int owner,
-		     const double x[3], double cutoff, ts_rank_visit_fn *visit, void *context);
+/* Visits the ranks whose blocks are within `cutoff` of a periodic image of x, the place of a particle of the block `own` at
+ * the last rebuild; in a sheared box some twice. */
+void ts_copies_visit(const struct ts_domain *domain, const struct ts_rank_blocks *blocks,
+		     const struct ts_rank_block *own, const double x[3], double cutoff,
+		     ts_rank_visit_fn *visit, void *context);
 /* Makes the copies of all particles of other ranks that are, or have a periodic image, within `cutoff` of the block
  * of this one, and of those that are claimed. */
 enum ts_status ts_copies_make(struct tsim *sim, double cutoff);

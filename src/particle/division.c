@@ -166,11 +166,15 @@ static enum ts_status send_all(struct tsim *sim, const int32_t *to, unsigned cha
 /* to[i]: the rank of the particle's position. */
 static enum ts_status find_leaving(struct tsim *sim, int32_t *to, struct ts_leaving *leaving)
 {
+	const struct ts_rank_blocks *blocks = &sim->division->blocks;
+	const struct ts_rank_block own = ts_rank_blocks_block(blocks, sim->world->rank);
 	const struct ts_particles *p = sim->particles;
 	size_t capacity = 0;
 
 	for (size_t i = 0; i < p->n; i++) {
-		to[i] = (int32_t)ts_rank_blocks_owner(&sim->division->blocks, p->x[i]);
+		bool inside = ts_rank_block_inside(&own, p->x[i], 0);
+
+		to[i] = (int32_t)(inside ? sim->world->rank : ts_rank_blocks_owner(blocks, p->x[i]));
 		if (to[i] == sim->world->rank)
 			continue;
 		if (TS_GROW(leaving->tag, capacity, leaving->n + 1) != TS_OK)

@@ -48,10 +48,13 @@ static enum ts_status count(const struct tsim *sim, double cutoff, struct ts_ran
 	struct tally t = { .layout = layout };
 
 	for (size_t i = 0; i < p->n && t.status == TS_OK; i++) {
-		t.owner = layout->owner[i] = ts_rank_blocks_owner(blocks, p->xhold[i]);
-		layout->part[t.owner].particles++;
+		int owner = ts_rank_blocks_owner(blocks, p->xhold[i]);
+		struct ts_rank_block own = ts_rank_blocks_block(blocks, owner);
+
+		t.owner = layout->owner[i] = owner;
+		layout->part[owner].particles++;
 		t.before = t.n;
-		ts_copies_visit(sim->domain, blocks, t.owner, p->xhold[i], cutoff, count_copy, &t);
+		ts_copies_visit(sim->domain, blocks, &own, p->xhold[i], cutoff, count_copy, &t);
 	}
 	count_partners(&t);
 	ts_free(t.pair);

@@ -462,6 +462,15 @@ struct ts_rank_side ts_rank_blocks_side(const struct ts_rank_blocks *blocks, int
 	return blocks->bisection ? side_of_leaf(blocks, rank, d) : side_of_grid(blocks, k, d);
 }
 
+struct ts_rank_block ts_rank_blocks_block(const struct ts_rank_blocks *blocks, int rank)
+{
+	struct ts_rank_block block;
+
+	for (int d = 0; d < 3; d++)
+		block.side[d] = ts_rank_blocks_side(blocks, rank, d);
+	return block;
+}
+
 bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach)
 {
 	const struct ts_rank_side side = ts_rank_blocks_side(blocks, rank, d);
@@ -473,14 +482,6 @@ bool ts_rank_blocks_reach(const struct ts_rank_blocks *blocks, int rank, const d
 {
 	for (int d = 0; d < 3; d++)
 		if (!image_is_near(blocks, ts_rank_blocks_side(blocks, rank, d), d, x[d], reach))
-			return false;
-	return true;
-}
-
-bool ts_rank_blocks_inside(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach)
-{
-	for (int d = 0; d < 3; d++)
-		if (!ts_rank_blocks_near(blocks, rank, d, x[d], -reach))
 			return false;
 	return true;
 }

@@ -37,6 +37,11 @@ struct ts_rank_side {
 	bool open[2];
 };
 
+/* A block of the box. */
+struct ts_rank_block {
+	struct ts_rank_side side[3];
+};
+
 /* The numbers of blocks along each dimension, for n ranks: those given (0: free) with the least area of the cuts, each of them
  * area[d] across the dimension d; false: there are none. In two dimensions one along z. */
 bool ts_rank_blocks_choose(int n, const int given[3], const double area[3], int dimension, int out[3]);
@@ -65,6 +70,7 @@ void ts_rank_blocks_release(struct ts_rank_blocks *blocks);
 double *ts_rank_blocks_faces(const struct ts_rank_blocks *blocks, int d, const int k[3]);
 /* Block `rank` along d. */
 struct ts_rank_side ts_rank_blocks_side(const struct ts_rank_blocks *blocks, int rank, int d);
+struct ts_rank_block ts_rank_blocks_block(const struct ts_rank_blocks *blocks, int rank);
 
 /* The block, and so the rank, that has the point. Points outside of the box belong to the nearest block. */
 int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3]);
@@ -74,8 +80,20 @@ int ts_rank_blocks_owner(const struct ts_rank_blocks *blocks, const double x[3])
 bool ts_rank_blocks_near(const struct ts_rank_blocks *blocks, int rank, int d, double x, double reach);
 /* Whether the point, or a periodic image of it, is within `reach` of block `rank` in each dimension. */
 bool ts_rank_blocks_reach(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach);
-/* Whether the point is in block `rank`, and farther than `reach` from all its neighbours. */
-bool ts_rank_blocks_inside(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach);
+/* Whether the point is in the block, at least `reach` above its lower faces, and more than that below the upper ones: so
+ * with reach 0, whether the block has it, if it is in the box. */
+static inline bool ts_rank_block_inside(const struct ts_rank_block *block, const double x[3], double reach)
+{
+	bool inside = true;
+
+	for (int d = 0; d < 3; d++) {
+		const struct ts_rank_side *side = &block->side[d];
+
+		inside &= (side->open[0] || x[d] >= side->face[0] + reach) &&
+			  (side->open[1] || x[d] < side->face[1] - reach);
+	}
+	return inside;
+}
 /* Calls `visit` with each block that the point, or a periodic image of it, is within `reach` of, without looking at all
  * others. */
 typedef void ts_rank_visit_fn(void *context, int rank);

@@ -87,6 +87,7 @@ START_TEST(points_belong_to_one_block_and_are_near_others)
 	ck_assert(ts_rank_blocks_cut(&blocks, count, lo, hi, periodic));
 	for (int k = 0; k < POINTS; k++) {
 		double x[3], reach = 4e-4 * ts_rng_uniform(&rng);
+		struct ts_rank_block own;
 		int owner, expected = 0, factor = 1, visits[24] = { 0 }, others = 0;
 
 		for (int d = 0; d < 3; d++)
@@ -108,7 +109,8 @@ START_TEST(points_belong_to_one_block_and_are_near_others)
 			others += inside && r != owner;
 			near += inside && r != owner;
 		}
-		if (ts_rank_blocks_inside(&blocks, owner, x, reach))
+		own = ts_rank_blocks_block(&blocks, owner);
+		if (ts_rank_block_inside(&own, x, reach))
 			ck_assert_int_eq(others, 0);
 		else
 			outside++;

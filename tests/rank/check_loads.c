@@ -82,6 +82,13 @@ static void count_visit(void *context, int rank)
 	((int *)context)[rank]++;
 }
 
+static bool is_inside(const struct ts_rank_blocks *blocks, int rank, const double x[3], double reach)
+{
+	const struct ts_rank_block block = ts_rank_blocks_block(blocks, rank);
+
+	return ts_rank_block_inside(&block, x, reach);
+}
+
 /* The blocks fill the box without overlap, and visits are those of the blocks within reach. */
 static void expect_partition(const struct ts_rank_blocks *blocks, int ranks)
 {
@@ -106,8 +113,27 @@ static void expect_partition(const struct ts_rank_blocks *blocks, int ranks)
 			}
 		}
 		ck_assert_int_eq(visits[owner], 1);
-		if (ts_rank_blocks_inside(blocks, owner, x, reach))
+		if (is_inside(blocks, owner, x, reach))
 			ck_assert_int_eq(others, 0);
+	}
+}
+
+/* A point on the lower faces of a block, or anywhere else in the box, is in the block of its owner, and in no other. */
+static void expect_one_inside(const struct ts_rank_blocks *blocks, int ranks)
+{
+	struct ts_rng rng = ts_rng_start(13, 0);
+
+	for (int k = 0; k < 300; k++) {
+		struct ts_rank_block block = ts_rank_blocks_block(blocks, k % ranks);
+		double x[3];
+		int owner;
+
+		for (int d = 0; d < 3; d++)
+			x[d] = k & 1 << d ? block.side[d].face[0]
+					  : lo[d] + (hi[d] - lo[d]) * ts_rng_uniform(&rng);
+		owner = ts_rank_blocks_owner(blocks, x);
+		for (int r = 0; r < ranks; r++)
+			ck_assert(is_inside(blocks, r, x, 0) == (r == owner));
 	}
 }
 
@@ -127,6 +153,7 @@ START_TEST(bisection_divides_any_number_of_ranks)
 		ck_assert_int_eq(load.total, POINTS);
 		ck_assert_int_le(load.most, POINTS / ranks + 6); /* a rounding in each level */
 		expect_partition(&blocks, ranks);
+		expect_one_inside(&blocks, ranks);
 		ts_rank_blocks_release(&blocks);
 	}
 }
