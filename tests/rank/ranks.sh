@@ -412,7 +412,9 @@ for n in 2 3; do
 	grep -q 'insert/jet jet: particle [0-9]* has left the nozzle' alone.out && [ "$(grep 'error:' out)" = "$(grep 'error:' alone.out)" ]
 	report "a particle that has met a wall on its way, on $n ranks" $? out
 done
-printf 'print "read $(2*21)"\n' | on_ranks 3 "$TSIM" -log none >out 2>&1
-[ "$(grep -c 'read 42' out)" = 1 ]
-report 'a script from the standard input' $? out
+for policy in active passive; do
+	printf 'print "read $(2*21)"\n' | OMP_WAIT_POLICY=$policy on_ranks 3 "$TSIM" -log none >out 2>&1
+	[ "$(grep -c 'read 42' out)" = 1 ]
+	report "a script from the standard input, ranks wait: $policy" $? out
+done
 finish
