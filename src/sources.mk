@@ -1287,6 +1287,8 @@ library_sources = \
 	src/rank/slabs.h \
 	src/rank/transposition.c \
 	src/rank/transposition.h \
+	src/rank/waiting.c \
+	src/rank/waiting.h \
 	src/rank/world.c \
 	src/rank/world.h \
 	src/region/command_region.c \

@@ -350,6 +350,7 @@ unit_tests = \
 	tests/program/check_crosscheck \
 	tests/rank/check_blocks \
 	tests/rank/check_loads \
+	tests/rank/check_waiting \
 	tests/render/check_render \
 	tests/report/check_rows \
 	tests/restart/check_sieve \
@@ -748,6 +749,10 @@ tests_rank_check_blocks_LDADD = $(tests_ldadd)
 tests_rank_check_loads_SOURCES = tests/rank/check_loads.c
 tests_rank_check_loads_CFLAGS = $(tests_cflags)
 tests_rank_check_loads_LDADD = $(tests_ldadd)
+
+tests_rank_check_waiting_SOURCES = tests/rank/check_waiting.c
+tests_rank_check_waiting_CFLAGS = $(tests_cflags)
+tests_rank_check_waiting_LDADD = $(tests_ldadd)
 
 tests_render_check_render_SOURCES = tests/render/check_render.c
 tests_render_check_render_CFLAGS = $(tests_cflags)

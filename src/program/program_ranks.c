@@ -3,20 +3,15 @@
 #include "program/program_ranks.h"
 
 #include <limits.h>
-#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <time.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 #include <unistd.h>
 
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/str.h"
+#include "rank/waiting.h"
 #ifdef TS_WITH_MPI
 #include "program/program_mpi.h"
 #endif
@@ -133,13 +128,6 @@ const char *ts_program_ranks_standard(void)
 	return "MPI " TEXT(MPI_VERSION) "." TEXT(MPI_SUBVERSION);
 }
 
-/* How a rank waits for others. */
-struct waiting {
-	bool passive; /* OMP_WAIT_POLICY=passive, which holds for threads as well: other programs use the machine */
-	double begun,
-		shared; /* clock: the present wait has begun; until then the processor is taken to be shared */
-};
-
 struct mpi {
 	struct ts_world base;
 	struct ts_program_mpi mpi;
@@ -147,7 +135,7 @@ struct mpi {
 	MPI_Request *request;  /* [capacity] */
 	size_t capacity;
 	unsigned rounds; /* deliveries so far */
-	struct waiting wait;
+	struct ts_waiting waiting;
 	struct ts_log *log; /* gets the message that ends all */
 };
 
@@ -161,12 +149,6 @@ enum {
 	MESSAGE = 8192, /* bytes of an error message */
 	PATIENCE = 60	/* s until a rank ends all by itself, if the first one does not */
 };
-
-static const double NAP = 3e-5;	 /* s that a rank sleeps between two polls, */
-static const double LONG = 1e-3; /* after a wait of so long, */
-static const double SHARED =
-	1e-4; /* or if others have had the processor for so long when it was offered to them, */
-static const double IS_SHARED = 2e-2; /* for as long after that */
 
 static void abort_all(struct mpi *m)
 {
@@ -193,48 +175,13 @@ static void look_for_trouble(struct mpi *m)
 	abort_all(m);
 }
 
-/* A rank that is ready gets a processor on which no other one polls: where other programs compute, too, ranks that only offer
- * theirs wait three times as long, for a whole slice of time of these programs in each exchange. */
-static void nap(void)
-{
-	const struct timespec time = { 0, (long)(1e9 * NAP) };
-
-	nanosleep(&time, NULL);
-}
-
-/* Linux rounds up times of sleep by 50 us if it is not told otherwise. */
-static void make_naps_exact(const struct mpi *m)
-{
-#ifdef PR_SET_TIMERSLACK
-	if (m->wait.passive)
-		prctl(PR_SET_TIMERSLACK, 1);
-#else
-	(void)m;
-#endif
-}
-
-static void offer_processor(struct waiting *w, bool first)
-{
-	double now = w->passive ? ts_clock() : 0;
-
-	if (first)
-		w->begun = now;
-	if (now < w->shared || now - w->begun > LONG) {
-		nap();
-		return;
-	}
-	sched_yield();
-	if (w->passive && ts_clock() - now > SHARED)
-		w->shared = now + IS_SHARED;
-}
-
 /* Between two polls of an operation: the first rank learns of failures, and after a while others get the processor. */
 static void go_on_polling(struct mpi *m, int *spin)
 {
 	if (m->base.rank == 0 && *spin % SPINS == SPINS - 1)
 		look_for_trouble(m);
 	if (++*spin > SPINS)
-		offer_processor(&m->wait, *spin == SPINS + 1);
+		ts_waiting_offer(&m->waiting, *spin == SPINS + 1);
 }
 
 static void wait_for(struct mpi *m, MPI_Request *request, int n)
@@ -451,10 +398,8 @@ static struct mpi *new_mpi(const char **why)
 
 static struct ts_world *join(struct mpi *m, MPI_Comm all)
 {
-	const char *policy = getenv("OMP_WAIT_POLICY");
-
-	m->wait.passive = policy && strcasecmp(policy, "passive") == 0;
 	m->base.call = &functions;
+	m->waiting = ts_waiting_policy();
 	m->mpi.Comm_dup(all, &m->all);
 	m->base.communicator = &m->all;
 	m->mpi.Comm_dup(all, &m->trouble);
@@ -476,7 +421,7 @@ struct ts_world *ts_program_ranks_begin(int *argc, char ***argv, const char **wh
 		return NULL;
 	m->mpi.Init_thread(argc, argv, MPI_THREAD_FUNNELED, &given);
 	world = join(m, m->mpi.world);
-	make_naps_exact(m);
+	ts_waiting_be_exact(&m->waiting);
 	if (world->n == 1 && started_processes() > 1)
 		*why = "mpirun has started several processes, but each of them is alone: tsim was built with "
 		       "another MPI than that of this mpirun";
