@@ -399,7 +399,7 @@ static struct mpi *new_mpi(const char **why)
 static struct ts_world *join(struct mpi *m, MPI_Comm all)
 {
 	m->base.call = &functions;
-	m->waiting = ts_waiting_policy();
+	m->waiting = ts_waiting_policy(getenv("OMP_WAIT_POLICY"));
 	m->mpi.Comm_dup(all, &m->all);
 	m->base.communicator = &m->all;
 	m->mpi.Comm_dup(all, &m->trouble);

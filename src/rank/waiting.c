@@ -1,7 +1,7 @@
 #include "rank/waiting.h"
 
 #include <sched.h>
-#include <stdlib.h>
+#include <stddef.h>
 #include <strings.h>
 #include <time.h>
 #ifdef __linux__
@@ -17,11 +17,9 @@
 static const double LONG = 1e-3, TAKEN = 1e-4, SHARED = 2e-2;
 static const struct timespec NAP = { 0, 30000 }; /* ns */
 
-struct ts_waiting ts_waiting_policy(void)
+struct ts_waiting ts_waiting_policy(const char *word)
 {
-	const char *policy = getenv("OMP_WAIT_POLICY");
-
-	return (struct ts_waiting){ .passive = policy && strcasecmp(policy, "passive") == 0 };
+	return (struct ts_waiting){ .passive = word && strcasecmp(word, "passive") == 0 };
 }
 
 void ts_waiting_be_exact(const struct ts_waiting *w)

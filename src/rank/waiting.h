@@ -12,8 +12,8 @@ struct ts_waiting {
 	double shared_until; /* clock until which other programs are taken to compute, s */
 };
 
-/* The policy of the environment. */
-struct ts_waiting ts_waiting_policy(void);
+/* The policy of this word, NULL: none. */
+struct ts_waiting ts_waiting_policy(const char *word);
 /* Times of sleep of this thread are exact, as far as it sleeps: Linux rounds them up by 50 us. */
 void ts_waiting_be_exact(const struct ts_waiting *w);
 /* Offers the processor, or sleeps; `first` in this wait. */

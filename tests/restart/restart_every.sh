@@ -1,7 +1,7 @@
 #!/bin/bash
 # Every deck whole is the same deck cut at random steps and continued from a restart file: what it writes,
 # its tables and its final state, byte for byte; the second part on two threads. SEED chooses the steps;
-# CUTS (1) is how often each deck is cut.
+# CUTS (2) is how often each deck is cut.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 needs python3
@@ -43,7 +43,7 @@ compare() { # STEP
 	same "$name: tables" expected found
 }
 
-# cut DECK OPTIONS...: the deck once whole and CUTS times in two parts
+# cut DECK OPTIONS...: the deck once whole and CUTS times in two
 cut() {
 	local deck=$1 lengths run steps
 	name=$(basename "$deck")
@@ -53,7 +53,7 @@ cut() {
 	python3 -IS "$top_srcdir/tests/split_deck.py" "$deck" 0 0 whole/deck none
 	part whole 1
 	mapfile -t lengths < <(sed -n 's/^Loop time of .* for \([0-9]*\) steps .*/\1/p' whole/log)
-	for ((k = 0; k < ${CUTS:-1}; k++)); do
+	for ((k = 0; k < ${CUTS:-2}; k++)); do
 		run=$((RANDOM % ${#lengths[@]}))
 		steps=$((RANDOM % (${lengths[run]} + 1)))
 		rm -rf one two && mkdir one two
