@@ -278,10 +278,9 @@ static enum ts_status write_corners(struct ts_textfile *file, const struct tsim 
 {
 	static const int around[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
 	int corners = sim->dimension == 2 ? 4 : 8;
-	struct ts_rank_side side[3];
+	const struct ts_rank_block block = ts_rank_blocks_block(blocks, rank);
+	const struct ts_rank_side *side = block.side;
 
-	for (int d = 0; d < 3; d++)
-		side[d] = ts_rank_blocks_side(blocks, rank, d);
 	for (int c = 0; c < corners; c++)
 		TS_TRY(ts_textfile_printf(file, "%d 1 %g %g %g\n", rank * corners + c + 1,
 					  side[0].face[around[c % 4][0]], side[1].face[around[c % 4][1]],

@@ -1,6 +1,5 @@
 /* The void fraction e as the equations of the fluid use it: on faces, its rate of change, and its values
  * in the momentum if e u is stepped forward (form conservative). */
-#include <string.h>
 
 #include "base/alloc.h"
 #include "flow/fluid_slabs.h"

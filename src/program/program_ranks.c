@@ -11,9 +11,9 @@
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/str.h"
-#include "rank/waiting.h"
 #ifdef TS_WITH_MPI
 #include "program/program_mpi.h"
+#include "rank/waiting.h"
 #endif
 
 #include "base/banned.h"

@@ -94,6 +94,7 @@ static inline bool ts_rank_block_inside(const struct ts_rank_block *block, const
 	}
 	return inside;
 }
+
 /* Calls `visit` with each block that the point, or a periodic image of it, is within `reach` of, without looking at all
  * others. */
 typedef void ts_rank_visit_fn(void *context, int rank);

@@ -2,7 +2,6 @@
 #include "scalar/scalar_transport.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "core/report.h"
 #include "coupling/cell_order.h"

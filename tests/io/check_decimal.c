@@ -62,7 +62,7 @@ START_TEST(decimals)
 			same_as_printf(sign * nextafter(some[k], 0));
 		}
 	same_as_printf(NAN);
-	for (int k = 0; k < 30000; k++) {
+	for (int k = 0; k < 60000; k++) {
 		double value, power = pow(10, k % 60 - 30);
 
 		bits ^= bits << 13;
@@ -112,7 +112,7 @@ START_TEST(shortest_decimals)
 {
 	uint64_t bits = 88172645463325252u;
 
-	for (int k = 0; k < 50000; k++) {
+	for (int k = 0; k < 100000; k++) {
 		double power = pow(10, k % 60 - 30), some[6] = { 0 };
 
 		bits ^= bits << 13;
