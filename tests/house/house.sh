@@ -43,6 +43,16 @@ for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c
 	fi
 done
 
+# The top level holds what its readers look for there, and nothing that a trial left.
+top='\.ci|\.clang-format|\.dockerignore|\.editorconfig|\.gitignore|CITATION\.cff|CONTRIBUTING\.md|Dockerfile'
+top="$top|LICENSE|Makefile\\.am|NEWS|README|README\\.md|bench|bootstrap|configure\\.ac|debian|doc|editors"
+top="$top|examples|potentials|pyproject\\.toml|python|setup|setup\\.py|src|tests"
+strays=$(git ls-files 2>/dev/null | sed 's|/.*||' | sort -u | grep -vxE "$top")
+if [ -n "$strays" ]; then
+	echo "files at the top level that do not belong there: $strays"
+	status=1
+fi
+
 # A step is defined once: what -explain prices is what runs.
 steps=$(grep -lE 'clock\.step\+\+' $(find src -name '*.c'))
 if [ "$steps" != src/core/plan_steps.c ]; then
