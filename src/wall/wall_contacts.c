@@ -26,14 +26,21 @@ void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *
 	old->row_capacity = old->force_capacity = 0;
 }
 
-static enum ts_status reserve(struct tsim *sim, struct ts_wall_contacts *c, size_t n)
+static enum ts_status reserve_pairs(struct tsim *sim, struct ts_wall_contacts *c, size_t n)
 {
 	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK || TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
 	    TS_GROW(c->touching, c->touching_capacity, n) != TS_OK ||
 	    TS_GROW(c->last, c->last_capacity, n) != TS_OK ||
 	    TS_GROW(c->memory, c->memory_capacity, n * c->width + 1) != TS_OK ||
-	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
-	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
+	    TS_GROW(c->force, c->force_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+static enum ts_status reserve(struct tsim *sim, struct ts_wall_contacts *c, size_t n)
+{
+	TS_TRY(reserve_pairs(sim, c, n));
+	if (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;
 }
@@ -262,10 +269,50 @@ static enum ts_status archive_keys(struct ts_archive *archive, struct tsim *sim,
 	return status;
 }
 
-enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
-					struct ts_wall_contacts *c)
+static enum ts_status archive_all(struct ts_archive *archive, struct tsim *sim, struct ts_wall_contacts *c)
 {
-	int64_t size[2] = { (int64_t)c->n, (int64_t)c->width };
+	TS_TRY(archive_keys(archive, sim, c));
+	TS_TRY(ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory, c->n * c->width));
+	return archive_reports(archive, sim, c);
+}
+
+/* Which other pairs are listed depends on when lists were made last, which a run that goes on from the file does not
+ * know. */
+static enum ts_status copy_with_history(struct tsim *sim, const struct ts_wall_contacts *c,
+					struct ts_wall_contacts *kept)
+{
+	for (size_t k = 0; k < c->n; k++) {
+		size_t at = kept->n;
+
+		if (!has_history(c, k))
+			continue;
+		TS_TRY(ts_wall_contacts_add(sim, kept, 0, 0, 0));
+		memcpy(kept->key[at], c->key[k], sizeof *c->key);
+		memcpy(ts_wall_memory(kept, at), ts_wall_memory(c, k), c->width * sizeof *c->memory);
+		if (c->report)
+			kept->report[at] = c->report[k];
+	}
+	return TS_OK;
+}
+
+static enum ts_status write_with_history(struct ts_archive *archive, struct tsim *sim,
+					 const struct ts_wall_contacts *c)
+{
+	struct ts_wall_contacts kept = { .width = c->width, .want_reports = c->report != NULL };
+	enum ts_status status = copy_with_history(sim, c, &kept);
+	int64_t size[2] = { (int64_t)kept.n, (int64_t)kept.width };
+
+	if (status == TS_OK)
+		status = ts_archive_fixed(archive, "contacts", TS_SAVED_I64, size, 2);
+	if (status == TS_OK)
+		status = archive_all(archive, sim, &kept);
+	ts_wall_contacts_release(&kept);
+	return status;
+}
+
+static enum ts_status read_contacts(struct ts_archive *archive, struct tsim *sim, struct ts_wall_contacts *c)
+{
+	int64_t size[2];
 
 	if (!ts_archive_has(archive, "contacts")) /* files of version 1 have no wall contacts */
 		return TS_OK;
@@ -274,21 +321,18 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contacts with a wall");
 	TS_TRY(ts_archive_expect(archive, "contact_keys", TS_SAVED_I32, 2 * (size_t)size[0]));
 	TS_TRY(ts_archive_expect(archive, "contact_memory", TS_SAVED_F64, (size_t)size[0] * (size_t)size[1]));
-	if (!ts_archive_writing(archive)) {
-		ts_wall_contacts_release(c);
-		c->n = (size_t)size[0];
-		c->width = (size_t)size[1];
-		if (TS_GROW(c->row, c->row_capacity, c->n) != TS_OK ||
-		    TS_GROW(c->key, c->key_capacity, c->n) != TS_OK ||
-		    TS_GROW(c->touching, c->touching_capacity, c->n) != TS_OK ||
-		    TS_GROW(c->last, c->last_capacity, c->n) != TS_OK ||
-		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width + 1) != TS_OK ||
-		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
-			return ts_nomem(&sim->error);
-	}
-	TS_TRY(archive_keys(archive, sim, c));
-	TS_TRY(ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory, c->n * c->width));
-	return archive_reports(archive, sim, c);
+	ts_wall_contacts_release(c);
+	c->n = (size_t)size[0];
+	c->width = (size_t)size[1];
+	TS_TRY(reserve_pairs(sim, c, c->n));
+	return archive_all(archive, sim, c);
+}
+
+enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
+					struct ts_wall_contacts *c)
+{
+	return ts_archive_writing(archive) ? write_with_history(archive, sim, c)
+					   : read_contacts(archive, sim, c);
 }
 
 void ts_wall_contacts_release(struct ts_wall_contacts *c)
