@@ -43,7 +43,18 @@ compare() { # STEP
 	same "$name: tables" expected found
 }
 
-# cut DECK OPTIONS...: the deck once whole and CUTS times in two
+# cut_at RUN STEPS: the deck in two
+cut_at() {
+	rm -rf one two && mkdir one two
+	python3 -IS "$top_srcdir/tests/split_deck.py" "$deck" "$1" "$2" one/deck two/deck
+	part one 1
+	cp one/cut.restart two
+	part two 2
+	compare "$(sed -n 's/^ *\([0-9]*\) .*/\1/p' one/log | tail -n 1)"
+	[ $failed = 0 ] || { echo "$name: cut after $2 steps of run $1"; finish; }
+}
+
+# cut DECK OPTIONS...: the deck once whole, and in two CUTS times and where a line `# cut RUN STEPS` of it says
 cut() {
 	local deck=$1 lengths run steps
 	name=$(basename "$deck")
@@ -56,14 +67,11 @@ cut() {
 	for ((k = 0; k < ${CUTS:-2}; k++)); do
 		run=$((RANDOM % ${#lengths[@]}))
 		steps=$((RANDOM % (${lengths[run]} + 1)))
-		rm -rf one two && mkdir one two
-		python3 -IS "$top_srcdir/tests/split_deck.py" "$deck" $((run + 1)) $steps one/deck two/deck
-		part one 1
-		cp one/cut.restart two
-		part two 2
-		compare "$(sed -n 's/^ *\([0-9]*\) .*/\1/p' one/log | tail -n 1)"
-		[ $failed = 0 ] || { echo "$name: cut after $steps steps of run $((run + 1))"; finish; }
+		cut_at $((run + 1)) $steps
 	done
+	while read -r run steps; do
+		cut_at "$run" "$steps"
+	done < <(sed -n 's/^# cut //p' "$deck")
 }
 
 # The drilling example goes on from the restart file of a shorter run of itself.
