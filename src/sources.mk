@@ -761,6 +761,8 @@ library_sources = \
 	src/immersed/closed_regions.h \
 	src/immersed/connected_cells.c \
 	src/immersed/connected_cells.h \
+	src/immersed/covered_faces.c \
+	src/immersed/covered_faces.h \
 	src/immersed/fix_immersed_boundary.c \
 	src/immersed/immersed.c \
 	src/immersed/immersed.h \
@@ -770,6 +772,7 @@ library_sources = \
 	src/immersed/immersed_record.c \
 	src/immersed/immersed_record.h \
 	src/immersed/immersed_resolution.c \
+	src/immersed/immersed_sums.c \
 	src/immersed/solid.c \
 	src/immersed/solid.h \
 	src/immersed/solid_mesh.c \

@@ -85,8 +85,9 @@ struct ts_fluid {
 		*owners; /* while the particles are divided among ranks; owned. NULL: none yet */
 	bool apart; /* `force` and `exchange` have the sums of the particles in the cells of this rank only */
 	/* While ranks have slabs and nothing needs the whole grid: the fields, and their ghosts, have the present values in
-	 * these ranges of planes across the last axis only, from .. to - 1, if there are any. Other planes take no memory.
-	 * A second range has the images of planes at the other end of a periodic grid. */
+	 * these ranges of planes across the last axis only, from .. to - 1, if there are any; those more than TS_GRID_GHOSTS
+	 * beside the planes of the rank only where a fix gets them (planes_beside of struct ts_flow_part). Other planes take no
+	 * memory. A second range has the images of planes at the other end of a periodic grid. */
 	struct ts_fluid_planes {
 		int ranges;
 		struct ts_fluid_range {
@@ -210,6 +211,9 @@ struct ts_flow_part {
 				    struct ts_coupling_volume *how);
 	/* Set by `force`: it has changed no velocity on which those in ghost cells depend. */
 	bool keeps_ghosts;
+	/* With several ranks: `force` changes the velocities in the planes that a rank computes, and reads fields in so many beside
+	 * them, which it gets there by ts_fluid_slabs_share_beside; 0: it needs all planes. Set in its init. */
+	int planes_beside;
 	/* The particles as the fix sorts them by cells, for the fixes after it (coupling/cell_order.h); NULL:
 	 * it does not. */
 	struct ts_cell_order *order;
@@ -251,8 +255,10 @@ struct ts_flow_part {
 	 * exact. No effect before the body has its place. */
 	enum ts_status (*distance)(struct ts_instance *self, struct tsim *sim, size_t n, const double (*x)[3],
 				   double reach, double *distance);
-	/* Exchanges among ranks what after_substep exchanges, without computing it (flow/step_rehearsal.h). */
+	/* Exchange among ranks what after_substep, force, and after_step exchange, without computing it (flow/step_rehearsal.h). */
 	void (*rehearse)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt);
+	void (*rehearse_force)(const struct ts_instance *self, const struct ts_fluid *fluid);
+	enum ts_status (*rehearse_step)(const struct ts_instance *self, const struct ts_fluid *fluid);
 	/* Called when a step of length dt has become unstable: returns whether the speed of freely moving
 	 * bodies may be the cause, and writes the cause and the remedy to `cause`. */
 	bool (*explain_instability)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt,

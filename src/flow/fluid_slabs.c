@@ -102,6 +102,14 @@ void ts_fluid_slabs_share_halo(const struct ts_fluid *fluid, double *field)
 		ts_fluid_slabs_share(fluid, field);
 }
 
+void ts_fluid_slabs_share_beside(const struct ts_fluid *fluid, double *field, int planes)
+{
+	const struct ts_slabs_field all = ts_fluid_slabs_field(&fluid->grid, field);
+
+	if (ts_fluid_divided(fluid))
+		ts_slabs_share_beside(fluid->slabs, &all, planes, planes, fluid->grid.periodic[2]);
+}
+
 double ts_fluid_slabs_most(const struct ts_fluid *fluid, double value)
 {
 	if (ts_slabs_ranks(fluid->slabs) > 1)

@@ -55,8 +55,9 @@ bool ts_projection_parts_have_forces(const struct tsim *sim)
 	return false;
 }
 
-static enum ts_status apply_part_forces(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
+static enum ts_status apply_part_forces(struct ts_projection *p, struct tsim *sim, double time, double dt)
 {
+	struct ts_fluid *fluid = &p->fluid;
 	struct ts_instance *part;
 	bool fill = false;
 
@@ -68,6 +69,8 @@ static enum ts_status apply_part_forces(struct tsim *sim, struct ts_fluid *fluid
 		TS_TRY(flow_part->force(part, sim, fluid, time, dt));
 		fill |= !flow_part->keeps_ghosts;
 	}
+	if (ts_fluid_divided(fluid) && ts_projection_parts_have_forces(sim))
+		ts_slab_step_predicted(p, false);
 	if (fill)
 		ts_fluid_fill_velocity(fluid, fluid->u);
 	return TS_OK;
@@ -210,9 +213,9 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 	swap_fields(fluid->u, p->work);
 	ts_projection_apply_particle_forces(p, length);
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
-	ts_slab_step_predicted(p, ts_projection_parts_have_forces(sim));
+	ts_slab_step_predicted(p, ts_projection_parts_have_forces(sim) && !ts_fluid_divided(fluid));
 	ts_fluid_fill_velocity(fluid, fluid->u);
-	TS_TRY(apply_part_forces(sim, fluid, fluid->time + scheme->at[s] * dt, length));
+	TS_TRY(apply_part_forces(p, sim, fluid->time + scheme->at[s] * dt, length));
 	p->pressure_time = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;
 	TS_TRY(ts_projection_project_velocity(self, sim, length, length));
 	ts_projection_average_exchange(p, s == 0 ? carry : 1, scheme->take[s]);

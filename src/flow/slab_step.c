@@ -80,22 +80,27 @@ static bool solver_divides(struct ts_projection *p, const struct tsim *sim)
 	return divides;
 }
 
-/* Whether the fixes that take part read and change the fluid near particles only. */
-static bool parts_are_near(const struct tsim *sim)
+/* What the fixes that take part read and change of the fluid. */
+struct parts {
+	bool near;  /* some of them: near particles */
+	bool all;   /* some: all planes */
+	int beside; /* planes beside those of the rank, at least the ghosts */
+};
+
+static struct parts find_parts(const struct ts_projection *p, const struct tsim *sim)
 {
+	struct parts out = { .near = p->fluid.near.wanted, .beside = TS_GRID_GHOSTS };
 	const struct ts_instance *part;
 
-	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
-		if (!((const struct ts_flow_part *)part->state)->sends.nearby)
-			return false;
-	return true;
-}
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
 
-static bool has_parts(const struct ts_projection *p, const struct tsim *sim)
-{
-	size_t k = 0;
-
-	return p->fluid.near.wanted || ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k);
+		out.near |= flow_part->sends.nearby;
+		out.all |= !flow_part->sends.nearby && flow_part->planes_beside == 0;
+		if (flow_part->planes_beside > out.beside)
+			out.beside = flow_part->planes_beside;
+	}
+	return out;
 }
 
 /* The flow through faces along z depends on the void fraction of all planes, where the fluid has no open face. */
@@ -106,15 +111,16 @@ static bool flow_is_of_all_planes(const struct ts_projection *p)
 
 /* Whether nothing reads the fluid before all ranks get all particles but these, each near its own ones, and no formula names it.
  * blocks NULL: each rank has all particles. */
-static bool stays_apart(struct ts_projection *p, const struct tsim *sim, const struct ts_rank_blocks *blocks)
+static bool stays_apart(struct ts_projection *p, const struct tsim *sim, const struct ts_rank_blocks *blocks,
+			const struct parts *parts)
 {
-	return p->fluid.grid.n[2] / sim->world->n >= TS_GRID_GHOSTS && !p->read_by_formulas &&
-	       solver_divides(p, sim) && !flow_is_of_all_planes(p) &&
-	       (!has_parts(p, sim) || (blocks && parts_are_near(sim)));
+	return p->fluid.grid.n[2] / sim->world->n >= parts->beside && !p->read_by_formulas &&
+	       solver_divides(p, sim) && !flow_is_of_all_planes(p) && !parts->all && (!parts->near || blocks);
 }
 
-/* The planes of this rank and their ghosts. Those of a rank at an end of a periodic grid are made from planes at the other end. */
-static struct ts_fluid_planes choose_planes(const struct ts_projection *p)
+/* The planes of this rank, and those beside them. Ghosts of a rank at an end of a periodic grid are made from planes at the other
+ * end. */
+static struct ts_fluid_planes choose_planes(const struct ts_projection *p, int beside)
 {
 	enum { G = TS_GRID_GHOSTS };
 	const int n = p->slabs.n;
@@ -123,13 +129,14 @@ static struct ts_fluid_planes choose_planes(const struct ts_projection *p)
 	size_t from, to;
 
 	ts_slabs_own(&p->slabs, (size_t)n, &from, &to);
-	*low = *high = (struct ts_fluid_range){ (int)from - G, (int)to + G };
+	*low = *high = (struct ts_fluid_range){ from == 0 ? -G : (int)from - beside,
+						(int)to == n ? n + G : (int)to + beside };
 	if (!p->fluid.grid.periodic[2] || (from > 0 && (int)to < n))
 		return planes;
 	if (from == 0)
-		*high = (struct ts_fluid_range){ n - G, n + G };
+		*high = (struct ts_fluid_range){ n - beside, n + G };
 	else
-		*low = (struct ts_fluid_range){ -G, G };
+		*low = (struct ts_fluid_range){ -G, beside };
 	if (low->to < high->from)
 		planes.ranges = 2;
 	else
@@ -225,13 +232,13 @@ static bool some_read_pressure(const struct tsim *sim)
 
 /* The ranks keep their planes, and what is near their particles. */
 static enum ts_status take_planes(struct ts_projection *p, const struct tsim *sim,
-				  const struct ts_rank_blocks *blocks, bool were)
+				  const struct ts_rank_blocks *blocks, bool were, const struct parts *parts)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
 	p->slabs.active = p->poisson.apart = true;
-	fluid->planes = choose_planes(p);
-	fluid->near.active = has_parts(p, sim);
+	fluid->planes = choose_planes(p, parts->beside);
+	fluid->near.active = parts->near;
 	fluid->near.pressure = some_read_pressure(sim);
 	if (!fluid->near.active)
 		return TS_OK;
@@ -241,11 +248,12 @@ static enum ts_status take_planes(struct ts_projection *p, const struct tsim *si
 enum ts_status ts_slab_step_begin(struct ts_projection *p, const struct tsim *sim,
 				  const struct ts_rank_blocks *blocks)
 {
+	const struct parts parts = find_parts(p, sim);
 	const bool divides = sim->world && ts_slab_step_divides(p, sim->world->n),
-		   some = divides && stays_apart(p, sim, blocks), were = ts_fluid_divided(&p->fluid);
+		   some = divides && stays_apart(p, sim, blocks, &parts), were = ts_fluid_divided(&p->fluid);
 
 	if (some)
-		return take_planes(p, sim, blocks, were);
+		return take_planes(p, sim, blocks, were, &parts);
 	ts_slab_step_complete(p, sim);
 	p->slabs.active = divides;
 	return TS_OK;

@@ -42,6 +42,35 @@ static enum ts_status rehearse_projection(struct ts_projection *p, int iteration
 	return TS_OK;
 }
 
+static void rehearse_forces(struct ts_projection *p, const struct tsim *sim)
+{
+	const bool some = ts_projection_parts_have_forces(sim), divided = ts_fluid_divided(&p->fluid);
+	const struct ts_instance *part;
+
+	ts_slab_step_predicted(p, some && !divided);
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->rehearse_force)
+			flow_part->rehearse_force(part, &p->fluid);
+	}
+	if (some && divided)
+		ts_slab_step_predicted(p, false);
+}
+
+static enum ts_status rehearse_parts(const struct ts_projection *p, const struct tsim *sim)
+{
+	const struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->rehearse_step)
+			TS_TRY(flow_part->rehearse_step(part, &p->fluid));
+	}
+	return TS_OK;
+}
+
 static enum ts_status rehearse_substep(struct ts_projection *p, const struct tsim *sim, double dt,
 				       int iterations)
 {
@@ -49,7 +78,7 @@ static enum ts_status rehearse_substep(struct ts_projection *p, const struct tsi
 
 	for (int s = 0; s < ts_flow_time_schemes[p->time].stages; s++) {
 		TS_TRY(rehearse_viscosity(p));
-		ts_slab_step_predicted(p, ts_projection_parts_have_forces(sim));
+		rehearse_forces(p, sim);
 		TS_TRY(rehearse_projection(p, iterations));
 	}
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
@@ -112,6 +141,8 @@ static enum ts_status rehearse_step(struct ts_instance *self, struct tsim *sim, 
 	for (int64_t k = 0; k < p->done && status == TS_OK; k++)
 		status = rehearse_substep(p, sim, length / (double)p->done, of->iterations);
 	ts_slab_step_count_spread(p, sim);
+	if (status == TS_OK)
+		status = rehearse_parts(p, sim);
 	ts_slab_step_end(p);
 	return status;
 }

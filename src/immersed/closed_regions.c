@@ -6,7 +6,9 @@
 
 #include "flow/flow_measures.h"
 #include "flow/projection.h"
+#include "flow/fluid_slabs.h"
 #include "immersed/connected_cells.h"
+#include "immersed/covered_faces.h"
 
 #include "base/banned.h"
 
@@ -37,7 +39,6 @@ struct region {
 
 struct body {
 	const struct ts_instance *self;
-	const struct ts_immersed *ib;
 	const struct ts_solid *solid;
 	enum ts_immersed_motion motion;
 };
@@ -49,7 +50,8 @@ struct ts_closed_search {
 	struct ts_connected_cells cells;
 	int32_t *region_of_run;
 	struct body *body;
-	size_t nbodies, body_capacity;
+	struct ts_covered_faces *faces; /* of each body */
+	size_t nbodies, body_capacity, faces_capacity;
 	struct region *region;
 	size_t nregions, region_capacity;
 	bool varies; /* velocities given at a region, or under a body, change with time */
@@ -62,14 +64,14 @@ void ts_closed_search_add_body(struct ts_closed_search *s, const struct ts_insta
 {
 	if (s->status != TS_OK || s->nbodies == UINT16_MAX)
 		return;
-	s->status = TS_GROW(s->body, s->body_capacity, s->nbodies + 1);
-	if (s->status != TS_OK)
+	if (TS_GROW(s->body, s->body_capacity, s->nbodies + 1) != TS_OK ||
+	    TS_GROW(s->faces, s->faces_capacity, s->nbodies + 1) != TS_OK) {
+		s->status = TS_NOMEM;
 		return;
-	s->body[s->nbodies++] = (struct body){ self, ib, solid, motion };
-	for (int c = 0; c < s->grid->dimensions; c++)
-		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++)
-			if (!ib->point[k].outside)
-				s->owner[c][ib->point[k].at] = (uint16_t)s->nbodies;
+	}
+	s->body[s->nbodies] = (struct body){ self, solid, motion };
+	s->faces[s->nbodies] = (struct ts_covered_faces){ 0 };
+	s->status = ts_covered_faces_find(&s->faces[s->nbodies++], ib);
 }
 
 /* ---- cells and their faces */
@@ -279,7 +281,7 @@ static void add_body_flow(struct ts_closed_search *s, int32_t into, double flow)
 
 /* Adds one face that the body covers to the regions on both sides. */
 static void add_covered_face(struct ts_closed_search *s, uint16_t number, int c,
-			     const struct ts_immersed_point *point)
+			     const struct ts_covered_face *face)
 {
 	const struct ts_grid *grid = s->grid;
 	const bool driven = s->body[number - 1].motion == TS_BODY_DRIVEN;
@@ -287,20 +289,20 @@ static void add_covered_face(struct ts_closed_search *s, uint16_t number, int c,
 	double x[3], flow;
 	int i[3];
 
-	ts_grid_indices(grid, point->at, i);
+	ts_grid_indices(grid, face->at, i);
 	beside = regions_beside(s, i, c);
 	if (beside.below == NO_REGION && beside.above == NO_REGION)
 		return;
 	for (int a = 0; a < 3; a++)
 		x[a] = a == c ? grid->face[a][i[a]] : grid->centre[a][i[a]];
-	if (s->owner[c][point->at] == number) {
+	if (s->owner[c][face->at] == number) {
 		add_body_face(s, beside.below, x, number);
 		add_body_face(s, beside.above, x, number);
 	}
 	if (!driven || i[c] >= grid->n[c] || (i[c] == 0 && !grid->periodic[c]) ||
 	    beside.below == beside.above)
 		return;
-	flow = point->target * face_area(grid, i, c);
+	flow = face->velocity * face_area(grid, i, c);
 	add_body_flow(s, beside.above, flow);
 	add_body_flow(s, beside.below, -flow);
 }
@@ -308,12 +310,11 @@ static void add_covered_face(struct ts_closed_search *s, uint16_t number, int c,
 static void add_bodies(struct ts_closed_search *s)
 {
 	for (size_t body = 0; body < s->nbodies; body++) {
-		const struct ts_immersed *ib = s->body[body].ib;
+		const struct ts_covered_faces *faces = &s->faces[body];
 
 		for (int c = 0; c < s->grid->dimensions; c++)
-			for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++)
-				if (!ib->point[k].outside)
-					add_covered_face(s, (uint16_t)(body + 1), c, &ib->point[k]);
+			for (size_t k = faces->first[c]; k < faces->first[c + 1]; k++)
+				add_covered_face(s, (uint16_t)(body + 1), c, &faces->face[k]);
 	}
 }
 
@@ -452,8 +453,21 @@ static enum ts_status allocate_owners(struct ts_closed_search *s)
 	return TS_OK;
 }
 
+static void mark_faces(struct ts_closed_search *s)
+{
+	for (size_t body = 0; body < s->nbodies; body++) {
+		const struct ts_covered_faces *faces = &s->faces[body];
+
+		for (int c = 0; c < s->grid->dimensions; c++)
+			for (size_t k = faces->first[c]; k < faces->first[c + 1]; k++)
+				s->owner[c][faces->face[k].at] = (uint16_t)(body + 1);
+	}
+}
+
 static enum ts_status find_closed_regions(struct ts_closed_search *s)
 {
+	TS_TRY(allocate_owners(s));
+	mark_faces(s);
 	TS_TRY(ts_connected_cells_find(&s->cells, s->grid, s->owner));
 	open_faces(s);
 	ts_connected_cells_complete(&s->cells);
@@ -463,22 +477,33 @@ static enum ts_status find_closed_regions(struct ts_closed_search *s)
 	return TS_OK;
 }
 
-static enum ts_status check_regions(struct ts_closed_search *s, struct tsim *sim)
+static enum ts_status search_regions(struct ts_closed_search *s, struct tsim *sim)
 {
-	enum ts_status status = allocate_owners(s);
-
-	if (status == TS_OK)
-		mark_bodies(s, sim);
-	if (status != TS_OK || s->status != TS_OK)
-		return ts_nomem(&sim->error);
-	if (s->nbodies == 0)
-		return TS_OK;
-	TS_TRY(check_inlets(s, sim));
 	if (find_closed_regions(s) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->nregions; k++)
 		if (!is_inside_body(&s->region[k]))
 			TS_TRY(check_region(s, sim, &s->region[k]));
+	return TS_OK;
+}
+
+/* While ranks have some planes only, the first one gets what bodies cover in all of them, and looks for closed regions. */
+static enum ts_status check_regions(struct ts_closed_search *s, struct tsim *sim)
+{
+	struct ts_world *world = ts_fluid_divided(&s->p->fluid) ? s->p->slabs.world : NULL;
+
+	mark_bodies(s, sim);
+	if (s->status != TS_OK)
+		return ts_nomem(&sim->error);
+	if (s->nbodies == 0)
+		return TS_OK;
+	TS_TRY(check_inlets(s, sim));
+	if (world && ts_covered_faces_gather(world, s->faces, s->nbodies) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (!world || world->rank == 0)
+		TS_TRY(search_regions(s, sim));
+	if (world)
+		ts_world_spread(world, 0, &s->varies, sizeof s->varies);
 	return TS_OK;
 }
 
@@ -498,6 +523,9 @@ enum ts_status ts_immersed_check_closed(struct tsim *sim)
 		ts_free(s.owner[d]);
 	ts_connected_cells_release(&s.cells);
 	ts_free(s.region_of_run);
+	for (size_t k = 0; k < s.nbodies; k++)
+		ts_covered_faces_release(&s.faces[k]);
+	ts_free(s.faces);
 	ts_free(s.body);
 	ts_free(s.region);
 	return status;

@@ -6,6 +6,7 @@
 #include "core/report.h"
 #include "flow/flow.h"
 #include "flow/flow_arguments.h"
+#include "flow/fluid_slabs.h"
 #include "force/restraint.h"
 #include "immersed/closed_regions.h"
 #include "immersed/immersed.h"
@@ -89,6 +90,8 @@ static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_s
 static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt,
 				char *cause, size_t size);
 static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_search *search);
+static void rehearse_force(const struct ts_instance *self, const struct ts_fluid *fluid);
+static enum ts_status rehearse_step(const struct ts_instance *self, const struct ts_fluid *fluid);
 
 /* ---- before a run */
 
@@ -196,6 +199,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 					 .mesh_load = add_mesh_load,
 					 .mark_closed = mark_closed_faces,
 					 .distance = find_distances,
+					 .planes_beside = ts_immersed_planes_beside(&fluid->grid),
+					 .rehearse_force = rehearse_force,
+					 .rehearse_step = rehearse_step,
 					 .shared = s->body == SPHERES ? TS_SOLID_SPHERE_BYTES : 0,
 					 .explain_instability = explain_instability };
 	TS_TRY(read_motion(self, sim));
@@ -231,7 +237,8 @@ static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, 
 		before = *s->solid->motion;
 	TS_TRY(evaluate_prescribed_motion(self, sim));
 	TS_TRY(s->solid->kind->update(s->solid, sim));
-	if (s->placed && !s->solid->moved && memcmp(&before, s->solid->motion, sizeof before) == 0)
+	if (s->placed && !s->solid->moved && memcmp(&before, s->solid->motion, sizeof before) == 0 &&
+	    ts_immersed_has_planes(&s->immersed, fluid))
 		return TS_OK;
 	if (s->field)
 		TS_TRY(ts_immersed_check_voxels(sim, &self->where, s->voxels, s->field, &fluid->grid));
@@ -284,7 +291,7 @@ static enum ts_status check_room(struct ts_instance *self, struct tsim *sim)
 	if (s->warned || s->solid->parts == 0)
 		return TS_OK;
 	s->warned = true;
-	if (s->immersed.inside > 0 && s->immersed.nouter == 0)
+	if (s->immersed.inside > 0 && s->immersed.beside == 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix immersed/boundary: the body fills the whole grid: no fluid is left");
 	ts_immersed_warn_thin(sim, &self->where, &s->immersed);
@@ -335,16 +342,19 @@ static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct ts
 					     const struct ts_fluid *fluid)
 {
 	struct state *s = self->state;
-	bool all = true;
+	double unknown = 0;
 
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		const struct ts_immersed_record *r = record_of_part(s, sim, k);
 
-		all = all && (!r || r->known != 0);
+		if (r && r->known == 0)
+			unknown = 1;
 	}
-	if (all)
+	if (ts_fluid_divided(fluid) && s->body == SPHERES) /* each rank has the records of its own */
+		unknown = ts_fluid_slabs_most(fluid, unknown);
+	if (unknown == 0)
 		return TS_OK;
-	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
+	if (ts_immersed_sum_parts(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		struct ts_immersed_record *r = record_of_part(s, sim, k);
@@ -372,7 +382,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	TS_TRY(check_room(self, sim));
 	TS_TRY(check_closed(self, sim));
 	ts_report_line(report, "immersed body", "%s: %zu points of velocities inside, %zu beside the surface",
-		       self->id, s->immersed.inside, s->immersed.nouter);
+		       self->id, s->immersed.inside, s->immersed.beside);
 	return TS_OK;
 }
 
@@ -387,10 +397,10 @@ static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, 
 		TS_TRY(update_points(self, sim, fluid));
 		TS_TRY(check_closed_if_moved(self, sim, time));
 		TS_TRY(initialize_inner_fluid(self, sim, fluid)); /* of particles inserted in this run */
-		ts_immersed_begin_step(&s->immersed, s->solid->parts);
+		ts_immersed_begin_step(&s->immersed);
 	}
 	s->begun = true;
-	ts_immersed_force(&s->immersed, fluid, s->solid->parts, dt, (int)s->iterations);
+	ts_immersed_force(&s->immersed, fluid, dt, (int)s->iterations);
 	s->part.keeps_ghosts = !s->immersed.beside_boundary;
 	return TS_OK;
 }
@@ -401,7 +411,7 @@ static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, st
 	struct state *s = self->state;
 
 	(void)sim, (void)fluid, (void)dt;
-	ts_immersed_end_substep(&s->immersed, s->solid->parts);
+	ts_immersed_end_substep(&s->immersed);
 	return TS_OK;
 }
 
@@ -421,7 +431,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 	const bool discs = s->body == SPHERES && sim->dimension == 2;
 	double depth = discs ? fluid->grid.width[2][0] : 1;
 
-	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
+	if (ts_immersed_sum_parts(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		struct ts_immersed_record *r = record_of_part(s, sim, k);
@@ -439,7 +449,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 		mean_of_corners(&s->surface->mesh, s->lever);
 		ts_sub(s->solid->motion->centre, s->lever, s->lever);
 	}
-	s->slip = ts_immersed_slip(&s->immersed, fluid);
+	s->slip = s->immersed.slip;
 	s->begun = false;
 	return TS_OK;
 }
@@ -490,6 +500,27 @@ static bool explain_instability(const struct ts_instance *self, const struct ts_
 		 "below its %g there, a larger `virtual_mass` than %g, or a smaller `timestep`",
 		 self->id, s->immersed.rate * dt, s->relax, s->virtual_mass);
 	return true;
+}
+
+/* ---- what ranks send for it */
+
+static void rehearse_force(const struct ts_instance *self, const struct ts_fluid *fluid)
+{
+	const struct state *s = self->state;
+
+	ts_immersed_rehearse_force(&s->immersed, fluid, (int)s->iterations);
+}
+
+/* Spheres: that all agree whether there is a new one. */
+static enum ts_status rehearse_step(const struct ts_instance *self, const struct ts_fluid *fluid)
+{
+	struct state *s = self->state;
+
+	if (!ts_fluid_divided(fluid))
+		return TS_OK;
+	if (s->body == SPHERES)
+		ts_fluid_slabs_most(fluid, 0);
+	return ts_immersed_rehearse_sums(&s->immersed, fluid);
 }
 
 /* ---- forces on particles */

@@ -1,12 +1,9 @@
 #include "immersed/immersed.h"
 
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
 
-#include "math/vec3.h"
-
-#include "base/alloc.h"
-#include "base/parallel.h"
+#include "flow/fluid_slabs.h"
 
 #include "base/banned.h"
 
@@ -131,195 +128,82 @@ static void force_outer_points(struct ts_immersed *ib, struct ts_fluid *fluid, i
 	}
 }
 
-/* Adds the impulse of the forcing at one point, and its moment, to the sums of the part. */
-static void add_impulse(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t k)
+/* ---- ranks that have the fluid in some planes only */
+
+static int reached_cells(const struct ts_grid *grid, double x, double width, int k)
 {
-	const struct ts_immersed_point *p = &ib->point[k];
-	double *sum = ib->sums[p->part].stage,
-	       e = fluid->void_fraction ? fluid->void_fraction_face[c][p->at] : 1;
-	double impulse = fluid->density * e * p->volume * (fluid->u[c][p->at] - p->before);
-	int a = (c + 1) % 3, b = (c + 2) % 3;
+	/* a little more than two spacings: round-off may choose the next cell */
+	const double period = grid->face[2][grid->n[2]] - grid->face[2][0], reach = 2.001 * width;
+	int most = 0;
 
-	sum[c] += impulse;
-	sum[3 + a] += p->arm[b] * impulse;
-	sum[3 + b] -= p->arm[a] * impulse;
-}
+	for (int side = -1; side <= 1; side += 2) {
+		double y = x + side * reach, turns = 0;
+		int i;
 
-/* The first point of component c of this part or a later one: points are sorted by part. */
-static size_t first_point(const struct ts_immersed *ib, int c, size_t part)
-{
-	size_t low = ib->first[c], high = ib->first[c + 1];
-
-	while (low < high) {
-		size_t middle = low + (high - low) / 2;
-
-		if ((size_t)ib->point[middle].part < part)
-			low = middle + 1;
-		else
-			high = middle;
+		if (grid->periodic[2])
+			turns = floor((y - grid->face[2][0]) / period);
+		y = fmin(fmax(y - turns * period, grid->face[2][0]), grid->face[2][grid->n[2]]);
+		i = ts_grid_find(grid, 2, y) + (int)turns * grid->n[2];
+		most = abs(i - k) > most ? abs(i - k) : most;
 	}
-	return low;
+	return most;
 }
 
-/* Sums of parts in parallel, each part by one thread, so that the order of its sum is fixed. */
-struct part_task {
-	struct ts_immersed *ib;
-	const struct ts_fluid *fluid;
-};
-
-static void parts_in_parallel(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts,
-			      ts_range_fn *share, void *task)
+/* Of the cell with a sample also the neighbours: of trilinear interpolation, and of the pressure gradient; ghosts beside open
+ * faces depend on the next plane. */
+int ts_immersed_planes_beside(const struct ts_grid *grid)
 {
-	int team = ts_fluid_team(fluid, ib->npoints);
+	int most = 0;
 
-	ts_parallel(parts < (size_t)team ? (int)parts : team, parts, share, task);
-}
+	for (int k = 0; k < grid->n[2]; k++) {
+		const int centre = reached_cells(grid, grid->centre[2][k], grid->width[2][k], k),
+			  face = reached_cells(grid, grid->face[2][k], grid->gap[2][k], k);
 
-static void add_part_impulses(void *context, size_t from, size_t to)
-{
-	const struct part_task *task = context;
-
-	for (int c = 0; c < task->fluid->grid.dimensions; c++)
-		for (size_t k = first_point(task->ib, c, from), end = first_point(task->ib, c, to); k < end;
-		     k++)
-			add_impulse(task->ib, task->fluid, c, k);
-}
-
-void ts_immersed_begin_step(struct ts_immersed *ib, size_t parts)
-{
-	if (parts)
-		memset(ib->sums, 0, parts * sizeof *ib->sums);
-	ib->first_dt = 0;
-}
-
-void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts)
-{
-	for (size_t k = 0; k < parts; k++) {
-		struct ts_immersed_sums *s = &ib->sums[k];
-
-		ts_add(s->impulse, s->stage, s->impulse);
-		ts_add(s->angular_impulse, s->stage + 3, s->angular_impulse);
-		memset(s->stage, 0, sizeof s->stage);
+		most = centre > most ? centre : most;
+		most = face > most ? face : most;
 	}
-	ib->first_dt = 0;
+	return most + 1;
 }
 
-/* A step of several stages s, each u <- keep_s u_0 + take_s (u + dt ...) with dt_s = take_s dt and take_0
- * = 1: the impulses of earlier stages are multiplied by take_s. */
-static void scale_stage_sums(struct ts_immersed *ib, double dt, size_t parts)
+static void share_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid)
 {
-	if (!(ib->first_dt > 0))
-		ib->first_dt = dt;
-	for (size_t k = 0; k < parts; k++)
-		for (int d = 0; d < 6; d++)
-			ib->sums[k].stage[d] *= dt / ib->first_dt;
+	for (int c = 0; c < fluid->grid.dimensions; c++)
+		ts_fluid_slabs_share_beside(fluid, fluid->u[c], ib->planes_beside);
 }
 
-void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t parts, double dt,
-		       int iterations)
+/* Samples read the pressure of the last projection. */
+static void share_pressure(const struct ts_immersed *ib, const struct ts_fluid *fluid)
+{
+	if (!ts_fluid_divided(fluid) || fluid->incremental)
+		return;
+	ts_fluid_slabs_share_beside(fluid, fluid->p, ib->planes_beside);
+	if (fluid->grid.periodic[2])
+		ts_fluid_fill_periodic(fluid, fluid->p);
+}
+
+void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, double dt, int iterations)
 {
 	const int dimensions = fluid->grid.dimensions;
 
-	scale_stage_sums(ib, dt, parts);
+	share_pressure(ib, fluid);
 	for (int c = 0; c < dimensions; c++) {
 		force_inside(ib, fluid, c, dt);
 		begin_outer_points(ib, fluid, c, dt);
 	}
-	for (int m = 0; m < iterations && ib->nouter; m++) {
+	for (int m = 0; m < iterations && ib->beside; m++) {
+		share_velocity(ib, fluid);
 		if (ib->reads_ghosts)
 			ts_fluid_fill_velocity(fluid, fluid->u);
 		for (int c = 0; c < dimensions; c++)
 			force_outer_points(ib, fluid, c);
 	}
-	parts_in_parallel(ib, fluid, parts, add_part_impulses, &(struct part_task){ ib, fluid });
+	ts_immersed_add_impulses(ib, fluid, dt);
 }
 
-/* Sums over the fluid inside one part, of one component. */
-struct mean {
-	double volume, u, x[3], xu[3];
-};
-
-static void mean_of_points(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t from,
-			   size_t to, struct mean *mean)
+void ts_immersed_rehearse_force(const struct ts_immersed *ib, const struct ts_fluid *fluid, int iterations)
 {
-	for (size_t k = first_point(ib, c, from), end = first_point(ib, c, to); k < end; k++) {
-		const struct ts_immersed_point *p = &ib->point[k];
-		struct mean *m = &mean[p->part];
-		double volume = p->solid * p->volume, u = fluid->u[c][p->at];
-
-		m->volume += volume;
-		m->u += volume * u;
-		for (int d = 0; d < 3; d++) {
-			m->x[d] += volume * p->arm[d];
-			m->xu[d] += volume * p->arm[d] * u;
-		}
-	}
-}
-
-/* (x - X) x u, X the mean position of the points of each component: exactly 0 in uniform flow. */
-static void add_mean_torque(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
-{
-	int a = (c + 1) % 3, b = (c + 2) % 3;
-	double v = m->volume;
-
-	if (!(v > 0))
-		return;
-	s->volume += v / dimensions;
-	s->velocity[c] = m->u / v;
-	s->spin[a] += m->xu[b] / v - m->x[b] / v * (m->u / v);
-	s->spin[b] -= m->xu[a] / v - m->x[a] / v * (m->u / v);
-}
-
-struct mean_task {
-	struct ts_immersed *ib;
-	const struct ts_fluid *fluid;
-	struct mean *mean;
-};
-
-static void mean_parts(void *context, size_t from, size_t to)
-{
-	const struct mean_task *task = context;
-	const int dimensions = task->fluid->grid.dimensions;
-
-	for (size_t k = from; k < to; k++) {
-		struct ts_immersed_sums *s = &task->ib->sums[k];
-
-		s->volume = 0;
-		memset(s->velocity, 0, sizeof s->velocity);
-		memset(s->spin, 0, sizeof s->spin);
-	}
-	for (int c = 0; c < dimensions; c++) {
-		memset(task->mean + from, 0, (to - from) * sizeof *task->mean);
-		mean_of_points(task->ib, task->fluid, c, from, to, task->mean);
-		for (size_t k = from; k < to; k++)
-			add_mean_torque(&task->ib->sums[k], c, &task->mean[k], dimensions);
-	}
-}
-
-enum ts_status ts_immersed_inner_fluid(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts)
-{
-	struct mean *mean = ts_alloc(parts, sizeof *mean);
-
-	if (!mean)
-		return TS_NOMEM;
-	parts_in_parallel(ib, fluid, parts, mean_parts, &(struct mean_task){ ib, fluid, mean });
-	ts_free(mean);
-	return TS_OK;
-}
-
-double ts_immersed_slip(const struct ts_immersed *ib, const struct ts_fluid *fluid)
-{
-	double most = 0;
-
-	for (int c = 0; c < fluid->grid.dimensions; c++)
-#pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->npoints / 3)) schedule(static) \
-	reduction(max                                                                        \
-		  : most)
-		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
-			const struct ts_immersed_point *p = &ib->point[k];
-
-			if (!p->outside && !p->deep)
-				most = fmax(most, fabs(fluid->u[c][p->at] - p->target));
-		}
-	return most;
+	if (!fluid->incremental)
+		ts_fluid_slabs_share_beside(fluid, fluid->p, ib->planes_beside);
+	for (int m = 0; m < iterations && ib->beside; m++)
+		share_velocity(ib, fluid);
 }

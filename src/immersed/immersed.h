@@ -61,12 +61,21 @@ struct ts_immersed_outer {
 	double next;  /* velocity after this iteration */
 };
 
+/* Of a part, in a step. */
 struct ts_immersed_sums {
-	/* of the forcing on the fluid in this step, completed substeps */
-	double impulse[3], angular_impulse[3];
-	double stage[6];	     /* the same of the present substep: impulse, angular impulse */
-	double volume;		     /* volume inside, as sum over control volumes */
+	double impulse[3], angular_impulse[3]; /* of the forcing on the fluid, completed substeps */
+	double volume;			       /* volume inside, as sum over control volumes */
 	double velocity[3], spin[3]; /* inside: mean of u, and of (x - X) x u about the mean position X */
+};
+
+/* The points of one component of one part in one plane across the last axis, and sums over them. Ranks divide planes, so sums
+ * over planes in their order are the same on any number of ranks. */
+struct ts_immersed_layer {
+	size_t first, end;	 /* of its points */
+	int32_t component, part; /* the component is c */
+	int32_t plane;
+	double impulse[3]; /* in this step: along c, and about the axes c + 1 and c + 2 (modulo 3) */
+	double stage[3];   /* the same of the present substep */
 };
 
 /* Of a point that a thread has found, before it is known to which part it belongs. */
@@ -79,11 +88,21 @@ struct ts_immersed {
 	struct ts_immersed_outer *outer;
 	size_t npoints, point_capacity, nouter, outer_capacity;
 	size_t first[4], outer_first[4];
+	/* planes across the last axis, from .. to - 1, in which the points are: those of this rank while ranks have the fluid
+	 * in some planes only (ts_fluid_divided), else all */
+	int planes[2];
+	int planes_beside;		 /* of ts_immersed_planes_beside */
+	struct ts_immersed_layer *layer; /* in the order of the points */
+	size_t nlayers, layer_capacity;
 	double *distance; /* work fields for several parts: least distance of a part from each point, */
 	int32_t *owner;	  /* and that part, from 1 */
 	struct ts_immersed_sums *sums; /* of each part */
 	size_t sums_capacity;
-	size_t inside;	      /* number of points inside solids */
+	struct ts_parcel own_layers, all_layers; /* sums of layers, as ranks tell each other */
+	double slip; /* largest |u - velocity of the solid| at points inside, near the surface, at the end of a step */
+	/* Of the points of all ranks: */
+	size_t inside;	      /* number of points inside solids, */
+	size_t beside;	      /* and beside their surfaces */
 	double thickness;     /* thickness of the solid in cells: twice the largest depth of a point */
 	bool reads_ghosts;    /* samples lie beside boundaries, or a body reaches the end of the grid */
 	bool beside_boundary; /* points may be so near to the ends of the grid that ghosts depend on them */
@@ -126,23 +145,31 @@ enum ts_status ts_immersed_distances(struct ts_solid *solid, const struct ts_gri
 				     const double (*x)[3], double reach, double *distance);
 
 /* ---- immersed_points.c
- * Finds the forced points, after the solid has moved. */
+ * Finds the forced points, after the solid has moved, or other planes are those of this rank. */
 enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
 				       const struct ts_fluid *fluid);
+/* Whether the points are those of the planes that this rank has now. */
+bool ts_immersed_has_planes(const struct ts_immersed *ib, const struct ts_fluid *fluid);
 void ts_immersed_release(struct ts_immersed *ib);
 
 /* ---- immersed.c
- * At the beginning of a step of the fluid: sets the sums to zero. */
-void ts_immersed_begin_step(struct ts_immersed *ib, size_t parts);
-/* At the end of a substep: adds its sums to those of the step. */
-void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts);
-/* Forces the predictor fluid->u, and sums the impulses. */
-void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t parts, double dt,
-		       int iterations);
-/* After a step: computes volume, velocity and spin of the fluid inside. */
-enum ts_status ts_immersed_inner_fluid(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts);
+ * Forces the predictor fluid->u, and sums the impulses. */
+void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, double dt, int iterations);
+/* Planes below a point, or above it, from which its samples read. */
+int ts_immersed_planes_beside(const struct ts_grid *grid);
+/* Exchanges what the forcing exchanges, without computing it. */
+void ts_immersed_rehearse_force(const struct ts_immersed *ib, const struct ts_fluid *fluid, int iterations);
 
-/* Largest |u - velocity of the solid| at points inside, near the surface. */
-double ts_immersed_slip(const struct ts_immersed *ib, const struct ts_fluid *fluid);
+/* ---- immersed_sums.c
+ * At the beginning of a step of the fluid: sets the sums to zero. */
+void ts_immersed_begin_step(struct ts_immersed *ib);
+/* After a stage of length dt. */
+void ts_immersed_add_impulses(struct ts_immersed *ib, const struct ts_fluid *fluid, double dt);
+/* At the end of a substep: adds its sums to those of the step. */
+void ts_immersed_end_substep(struct ts_immersed *ib);
+/* After a step: computes the sums of all parts, and the slip, of all ranks. */
+enum ts_status ts_immersed_sum_parts(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts);
+/* Exchanges what this exchanges. */
+enum ts_status ts_immersed_rehearse_sums(struct ts_immersed *ib, const struct ts_fluid *fluid);
 
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "flow/flow_measures.h"
+#include "flow/fluid_slabs.h"
 #include "immersed/immersed.h"
 
 #include "base/banned.h"
@@ -48,7 +49,7 @@ void ts_immersed_warn_walls(struct tsim *sim, const struct ts_place *where, cons
 {
 	for (int face = 0; face < 2 * fluid->grid.dimensions; face++)
 		if (fluid->face[face / 2][face % 2] == TS_FLOW_WALL &&
-		    rubs_on_wall(ib, fluid, face / 2, face % 2))
+		    ts_fluid_slabs_most(fluid, rubs_on_wall(ib, fluid, face / 2, face % 2)) > 0)
 			ts_warn(&sim->log, where,
 				"fix immersed/boundary: the body covers a part of the wall %s, which has "
 				"another velocity than the body: the force on the body contains their "
@@ -60,19 +61,24 @@ enum ts_status ts_immersed_overlap(const struct ts_immersed *a, const struct ts_
 				   const struct ts_fluid *fluid, size_t *points)
 {
 	double *target = ts_alloc(fluid->grid.size, sizeof *target);
+	size_t first, end;
+	int64_t number = 0;
 
-	*points = 0;
 	if (!target)
 		return TS_NOMEM;
+	ts_fluid_slabs_values(fluid, &first, &end);
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		for (size_t k = 0; k < fluid->grid.size; k++)
+		for (size_t k = first; k < end; k++)
 			target[k] = NAN;
 		for (size_t k = a->first[c]; k < a->first[c + 1]; k++)
 			if (!a->point[k].outside)
 				target[a->point[k].at] = a->point[k].target;
 		for (size_t k = b->first[c]; k < b->first[c + 1]; k++)
-			*points += !b->point[k].outside && differ(target[b->point[k].at], b->point[k].target);
+			number += !b->point[k].outside && differ(target[b->point[k].at], b->point[k].target);
 	}
 	ts_free(target);
+	if (ts_fluid_divided(fluid))
+		ts_world_sum(fluid->slabs->world, &number);
+	*points = (size_t)number;
 	return TS_OK;
 }

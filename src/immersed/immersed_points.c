@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "flow/fluid_slabs.h"
 #include "math/vec3.h"
 
 #include "base/alloc.h"
@@ -357,6 +358,23 @@ static void keep_nearest(struct ts_immersed *ib, size_t first, size_t first_band
 	ib->nouter = bands;
 }
 
+/* Whether points in this plane across the last axis are those of this rank: `k` may be beyond a periodic grid. */
+static bool has_plane(const struct search *s, int k)
+{
+	const int at = index_in_grid(s->grid, 2, k);
+
+	return at >= s->ib->planes[0] && at < s->ib->planes[1];
+}
+
+/* Leaves planes out that are those of other ranks, at both ends of the range. */
+static void trim_planes(struct search *s)
+{
+	while (s->from[2] < s->to[2] && !has_plane(s, s->from[2]))
+		s->from[2]++;
+	while (s->from[2] < s->to[2] && !has_plane(s, s->to[2] - 1))
+		s->to[2]--;
+}
+
 /* Begins with a part; returns the number of its rows. */
 static size_t begin_part_search(struct search *s, size_t part)
 {
@@ -365,6 +383,7 @@ static size_t begin_part_search(struct search *s, size_t part)
 	find_point_ranges(s);
 	for (int d = 0; d < s->grid->dimensions; d++)
 		s->ib->beside_boundary |= s->from[d] < BESIDE || s->to[d] > s->grid->n[d] - BESIDE;
+	trim_planes(s);
 	if (s->from[0] >= s->to[0] || s->from[1] >= s->to[1] || s->from[2] >= s->to[2])
 		return 0;
 	return (size_t)(s->to[1] - s->from[1]) * (size_t)(s->to[2] - s->from[2]);
@@ -382,9 +401,12 @@ static enum ts_status search_rows(struct search *s, size_t from, size_t to)
 		begin = from > first ? from - first : 0;
 		end = to - first < rows ? to - first : rows;
 		height = (size_t)(s->to[1] - s->from[1]);
-		for (size_t row = begin; row < end; row++)
-			TS_TRY(search_row(s, s->from[1] + (int)(row % height),
-					  s->from[2] + (int)(row / height)));
+		for (size_t row = begin; row < end; row++) {
+			const int k = s->from[2] + (int)(row / height);
+
+			if (has_plane(s, k))
+				TS_TRY(search_row(s, s->from[1] + (int)(row % height), k));
+		}
 	}
 	return TS_OK;
 }
@@ -409,6 +431,7 @@ static void search_chunks(void *context, size_t from, size_t to)
 		s.worker = k;
 		s.ib->npoints = s.ib->nouter = 0;
 		s.ib->reads_ghosts = false;
+		memcpy(s.ib->planes, task->search->ib->planes, sizeof s.ib->planes);
 		s.ib->status = search_rows(&s, task->rows * k / chunks, task->rows * (k + 1) / chunks);
 	}
 }
@@ -488,13 +511,89 @@ static enum ts_status allocate_scratch(struct ts_immersed *ib, const struct ts_s
 	return ib->distance && ib->owner ? TS_OK : TS_NOMEM;
 }
 
+/* ---- layers */
+
+static int plane_of(const struct ts_grid *grid, const struct ts_immersed_point *p)
+{
+	return (int)(p->at / (size_t)grid->stride[2]) - grid->ghosts[2];
+}
+
+static enum ts_status find_layers(struct ts_immersed *ib, const struct ts_grid *grid)
+{
+	ib->nlayers = 0;
+	for (int c = 0; c < grid->dimensions; c++)
+		for (size_t k = ib->first[c], first = k; k < ib->first[c + 1]; first = k) {
+			const int32_t part = ib->point[first].part;
+			const int plane = plane_of(grid, &ib->point[first]);
+
+			while (k < ib->first[c + 1] && ib->point[k].part == part &&
+			       plane_of(grid, &ib->point[k]) == plane)
+				k++;
+			TS_TRY(TS_GROW(ib->layer, ib->layer_capacity, ib->nlayers + 1));
+			ib->layer[ib->nlayers++] = (struct ts_immersed_layer){
+				.first = first, .end = k, .component = c, .part = part, .plane = plane
+			};
+		}
+	return TS_OK;
+}
+
+/* ---- ranks */
+
+/* Planes of this rank; the last one has the faces behind the last cells, too. */
+static void find_planes(const struct ts_fluid *fluid, int planes[2])
+{
+	const int n = fluid->grid.n[2];
+
+	planes[0] = 0;
+	planes[1] = n;
+	if (ts_fluid_divided(fluid))
+		ts_fluid_slabs_planes(fluid, &planes[0], &planes[1]);
+	planes[1] += planes[1] == n;
+}
+
+bool ts_immersed_has_planes(const struct ts_immersed *ib, const struct ts_fluid *fluid)
+{
+	int planes[2];
+
+	find_planes(fluid, planes);
+	return memcmp(planes, ib->planes, sizeof planes) == 0;
+}
+
+/* What follows from the points of all ranks. */
+static void sum_of_ranks(struct ts_immersed *ib, const struct ts_fluid *fluid)
+{
+	struct ts_world *world = ts_fluid_divided(fluid) ? fluid->slabs->world : NULL;
+	int64_t number[2] = { (int64_t)(ib->npoints - ib->nouter), (int64_t)ib->nouter };
+	double most[3] = { ib->thickness, ib->rate, ib->reads_ghosts };
+
+	if (world) {
+		ts_world_sums(world, number, 2);
+		ts_world_most(world, most, 3);
+	}
+	ib->inside = (size_t)number[0];
+	ib->beside = (size_t)number[1];
+	ib->thickness = most[0];
+	ib->rate = most[1];
+	ib->reads_ghosts = most[2] > 0;
+}
+
+/* Of all planes, which need memory that those of this rank do not. */
+static void release_other_planes(struct ts_immersed *ib, const struct ts_fluid *fluid)
+{
+	if (ib->npoints && !ts_immersed_has_planes(ib, fluid))
+		ts_immersed_release(ib);
+}
+
 enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
 				       const struct ts_fluid *fluid)
 {
 	struct search s = { .ib = ib, .solid = solid, .fluid = fluid, .grid = &fluid->grid };
 
+	release_other_planes(ib, fluid);
 	TS_TRY(allocate_scratch(ib, solid, &fluid->grid));
-	ib->npoints = ib->nouter = ib->inside = 0;
+	find_planes(fluid, ib->planes);
+	ib->planes_beside = ts_immersed_planes_beside(&fluid->grid);
+	ib->npoints = ib->nouter = 0;
 	ib->reads_ghosts = ib->beside_boundary = false;
 	ib->thickness = ib->rate = 0;
 	for (int c = 0; c < 3; c++) {
@@ -506,8 +605,8 @@ enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *
 	}
 	ib->first[3] = ib->npoints;
 	ib->outer_first[3] = ib->nouter;
-	ib->inside = ib->npoints - ib->nouter;
-	return TS_OK;
+	sum_of_ranks(ib, fluid);
+	return find_layers(ib, &fluid->grid);
 }
 
 void ts_immersed_release(struct ts_immersed *ib)
@@ -521,5 +620,8 @@ void ts_immersed_release(struct ts_immersed *ib)
 	ts_free(ib->distance);
 	ts_free(ib->owner);
 	ts_free(ib->sums);
+	ts_free(ib->layer);
+	ts_parcel_release(&ib->own_layers);
+	ts_parcel_release(&ib->all_layers);
 	*ib = (struct ts_immersed){ 0 };
 }
