@@ -141,6 +141,8 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 	va_start(args, format);
 	vsnprintf(text + n, sizeof text - n, format, args);
 	va_end(args);
+	if (log->warned)
+		ts_str_addf(log->warned, "%s\n", text);
 	log->sink = log->copy = NULL; /* the callbacks get the warning once, below, with its level */
 	log->quiet = false;
 	ts_log(log, "%s\n", text);

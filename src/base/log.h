@@ -7,6 +7,7 @@
 
 #include "base/files.h"
 #include "base/status.h"
+#include "base/str.h"
 
 enum ts_log_level { TS_LOG_TEXT, TS_LOG_WARNING, TS_LOG_PROGRESS, TS_LOG_SETTING };
 typedef void ts_log_sink_fn(void *data, enum ts_log_level level, const char *text);
@@ -25,7 +26,8 @@ struct ts_log {
 	int warnings;
 	bool withholds; /* -check: warnings are counted in `withheld` instead, since they may follow from unknown values */
 	int withheld;
-	ts_log_sink_fn *sink; /* callback that gets all screen output, even without a screen; or NULL */
+	struct ts_str *warned; /* gets the lines of warnings, too; or NULL */
+	ts_log_sink_fn *sink;  /* callback that gets all screen output, even without a screen; or NULL */
 	void *sink_data;
 	/* Callback that gets a copy of what is printed to the screen, of warnings and of settings: the report of a
 	 * run; or NULL. */

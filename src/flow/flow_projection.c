@@ -163,18 +163,18 @@ static bool due(const struct ts_instance *self, const struct tsim *sim)
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
-	ts_log_sink_fn *sink = sim->log.sink;
+	struct ts_str *warned = sim->log.warned;
 	enum ts_status status;
 
 	ts_deferred_loops_run(sim);
 	TS_TRY(ts_coupling_sum_outside(&p->fluid, sim));
 	TS_TRY(ts_fluid_share_sources(&p->fluid, sim));
 	if (!ts_ranks_first(sim))
-		sim->log.sink = NULL;
+		sim->log.warned = NULL;
 	status = ts_slab_step_begin_apart(p, sim, &sim->division->blocks) == TS_OK ? make_step(self, sim)
 										   : ts_nomem(&sim->error);
 	ts_slab_step_end(p);
-	sim->log.sink = sink;
+	sim->log.warned = warned;
 	p->settled = true;
 	return status;
 }

@@ -275,21 +275,10 @@ void ts_division_start(struct tsim *sim, const struct ts_reread *reread)
 	sim->division->reread = *reread;
 }
 
-static void keep_warning(void *data, enum ts_log_level level, const char *text)
-{
-	struct ts_division *d = data;
-
-	if (level == TS_LOG_WARNING)
-		ts_str_addf(&d->said, "%s\n", text);
-}
-
-/* While the particles are divided the ranks do not warn of the same; the first one prints for all. */
+/* While the particles are divided the ranks do not all warn of the same; the first one prints for all. */
 static void listen(struct tsim *sim, struct ts_division *d)
 {
-	if (ts_ranks_first(sim))
-		return;
-	sim->log.sink = d ? keep_warning : NULL;
-	sim->log.sink_data = d;
+	sim->log.warned = d ? &d->said : NULL;
 }
 
 /* ---- a look at all particles */
@@ -378,13 +367,41 @@ static enum ts_status share_rows(struct tsim *sim, struct ts_carried *rows)
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+/* Whether a line of n characters, with its end, is one of those from `text` to `end`. */
+static bool has_line(const char *text, const char *end, const char *line, size_t n)
+{
+	for (const char *next; text < end; text = next) {
+		next = text + strcspn(text, "\n") + 1;
+		if ((size_t)(next - text) == n && memcmp(text, line, n) == 0)
+			return true;
+	}
+	return false;
+}
+
+/* Prints the lines of a rank that none of the ranks before it has said. */
+static void print_new_lines(struct ts_log *log, const char *before, const char *text)
+{
+	for (const char *line = text, *next; *line; line = next) {
+		next = line + strcspn(line, "\n") + 1;
+		if (!has_line(before, text, line, (size_t)(next - line)))
+			ts_log(log, "%.*s", (int)(next - line), line);
+	}
+}
+
+/* The first rank has printed its own ones. */
 static enum ts_status print_warnings(struct tsim *sim, struct ts_division *d)
 {
-	struct ts_parcel mine = { .data = (unsigned char *)d->said.text, .n = d->said.length }, all = { 0 };
-	enum ts_status status = ts_world_share(sim->world, &mine, &all);
+	struct ts_parcel mine = { 0 }, all = { 0 };
+	enum ts_status status = ts_parcel_add(&mine, ts_str_text(&d->said), d->said.length + 1);
+	const char *text;
 
-	if (status == TS_OK && all.n)
-		ts_log(&sim->log, "%.*s", (int)all.n, (const char *)all.data);
+	if (status == TS_OK)
+		status = ts_world_share(sim->world, &mine, &all);
+	text = (const char *)all.data;
+	for (int rank = 0; status == TS_OK && rank < sim->world->n; rank++, text += strlen(text) + 1)
+		if (rank > 0)
+			print_new_lines(&sim->log, (const char *)all.data, text);
+	ts_parcel_release(&mine);
 	ts_parcel_release(&all);
 	ts_str_clear(&d->said);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);

@@ -37,7 +37,7 @@ struct ts_division {
 	bool unjoined; /* at rest behind a run whose sums are of each rank alone: slot `join` of styles */
 	bool turned_before;  /* rows that depend on periodic faces have been exchanged for this rebuild */
 	bool rebuilding;     /* lists are made again for other particles: it is no rebuild of the run */
-	struct ts_str said;  /* warnings of this rank, which the first one is to print */
+	struct ts_str said;  /* warnings of this rank, of which the first one is to print those that are new */
 	int64_t built, made; /* how often copies were made, and how many */
 	int64_t moved;	     /* particles that have come from other ranks */
 	int64_t gathered;    /* how often all ranks got all particles */
