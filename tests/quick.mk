@@ -13,6 +13,7 @@
 #       5    rank/pause.sh                  rank/contract.sh
 #       8    rank/memory.sh                 rank/contract.sh
 #      10    rank/apart.sh                  rank/contract.sh
+#       6    rank/bodies.sh                 rank/contract.sh
 #       8    rank/create.sh                 rank/contract.sh
 #       6    rank/read_data.sh              rank/contract.sh
 #       6    rank/timer.sh                  rank/contract.sh
@@ -58,6 +59,7 @@ long_tests = \
 	tests/core/check_alloc$(EXEEXT) \
 	tests/manual/book.sh \
 	tests/rank/apart.sh \
+	tests/rank/bodies.sh \
 	tests/examples/rock.sh \
 	tests/rank/pause.sh \
 	tests/house/dist.sh \
@@ -98,6 +100,7 @@ slow_tests = \
 	tests/library/wheel.sh \
 	tests/bench/race.sh \
 	tests/rank/apart.sh \
+	tests/rank/bodies.sh \
 	tests/rank/create.sh \
 	tests/rank/read_data.sh \
 	tests/rank/balance.sh \

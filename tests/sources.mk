@@ -202,6 +202,7 @@ shell_tests = \
 	tests/program/signal.sh \
 	tests/rank/apart.sh \
 	tests/rank/balance.sh \
+	tests/rank/bodies.sh \
 	tests/rank/contract.sh \
 	tests/rank/contract_ranks.sh \
 	tests/rank/create.sh \
