@@ -42,7 +42,8 @@ static enum ts_status pack(const struct ts_covered_faces *list, size_t bodies, s
 			const size_t first = list[body].first[c], n = list[body].first[c + 1] - first;
 
 			TS_TRY(ts_parcel_add(out, &n, sizeof n));
-			TS_TRY(ts_parcel_add(out, list[body].face + first, n * sizeof *list->face));
+			if (n)
+				TS_TRY(ts_parcel_add(out, &list[body].face[first], n * sizeof *list->face));
 		}
 	return TS_OK;
 }
