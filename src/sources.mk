@@ -772,6 +772,8 @@ library_sources = \
 	src/immersed/immersed_record.c \
 	src/immersed/immersed_record.h \
 	src/immersed/immersed_resolution.c \
+	src/immersed/immersed_spheres.c \
+	src/immersed/immersed_spheres.h \
 	src/immersed/immersed_sums.c \
 	src/immersed/solid.c \
 	src/immersed/solid.h \

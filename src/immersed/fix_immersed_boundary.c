@@ -10,13 +10,10 @@
 #include "force/restraint.h"
 #include "immersed/closed_regions.h"
 #include "immersed/immersed.h"
-#include "immersed/immersed_record.h"
-#include "immersed/virtual_mass_stabilization.h"
-#include "math/exactsum.h"
+#include "immersed/immersed_spheres.h"
 #include "math/vec3.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
-#include "particle/columns.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "region/region.h"
@@ -25,8 +22,6 @@
 #include "base/banned.h"
 
 enum { REGION, MESH, SURFACE, SPHERES };
-
-enum { RECORD = sizeof(struct ts_immersed_record) / sizeof(double) };
 
 struct state {
 	struct ts_flow_part part; /* first */
@@ -55,11 +50,10 @@ struct state {
 	const struct ts_voxel_surface *field;  /* a height field */
 	/* saved: position of the torque's reference point relative to the mean of the corners */
 	double lever[3];
-	size_t column,
-		net_column; /* of spheres: columns of struct ts_immersed_record and struct ts_net_force */
-	struct ts_restraints restraints;
-	bool free_mesh; /* a mesh that the fluid moves */
-	double slip;	/* saved */
+	struct ts_immersed_spheres spheres;
+	struct ts_restraints restraints; /* of spheres */
+	bool free_mesh;			 /* a mesh that the fluid moves */
+	double slip;			 /* saved */
 };
 
 /* NULL: the sphere is on another rank. */
@@ -70,12 +64,7 @@ static struct ts_immersed_record *record_of_part(struct state *s, const struct t
 	if (s->body != SPHERES)
 		return &s->own;
 	row = ts_solid_sphere_row(s->solid, part);
-	return row < 0 ? NULL : (struct ts_immersed_record *)sim->particles->column[s->column].data + row;
-}
-
-static struct ts_net_force *net_force_of(const struct state *s, const struct tsim *sim, size_t row)
-{
-	return (struct ts_net_force *)sim->particles->column[s->net_column].data + row;
+	return row < 0 ? NULL : ts_immersed_sphere_record(&s->spheres, sim, (size_t)row);
 }
 
 static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
@@ -160,14 +149,8 @@ static enum ts_status make_columns(struct ts_instance *self, struct tsim *sim, i
 static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, int dimensions)
 {
 	struct state *s = self->state;
-	char name[64];
 
-	/* the fluid exerts torques */
-	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
-	snprintf(name, sizeof name, "immersed %s", self->id);
-	TS_TRY(ts_particles_add_column(sim, name, RECORD, 0, &s->column));
-	snprintf(name, sizeof name, "immersed net %s", self->id);
-	TS_TRY(ts_particles_add_column(sim, name, TS_NET_FORCE_NUMBERS, 0, &s->net_column));
+	TS_TRY(ts_immersed_spheres_prepare(&s->spheres, sim, self));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
 	s->solid = ts_solid_of_spheres(self->group, dimensions);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
@@ -444,7 +427,9 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 	}
 	for (size_t k = 0; s->body == SPHERES && k < s->solid->parts; k++)
 		if (record_of_part(s, sim, k))
-			ts_net_force_average(net_force_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
+			ts_net_force_average(
+				ts_immersed_sphere_net_force(&s->spheres, sim,
+							     (size_t)ts_solid_sphere_row(s->solid, k)));
 	if (s->body == MESH) {
 		mean_of_corners(&s->surface->mesh, s->lever);
 		ts_sub(s->solid->motion->centre, s->lever, s->lever);
@@ -528,7 +513,7 @@ static enum ts_status rehearse_step(const struct ts_instance *self, const struct
 static void stabilize_particle(struct state *s, const struct tsim *sim, size_t i)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_net_force *net = net_force_of(s, sim, i);
+	struct ts_net_force *net = ts_immersed_sphere_net_force(&s->spheres, sim, i);
 	double share =
 		ts_virtual_mass_ratio(ts_virtual_mass_density(sim, i), s->virtual_mass, s->fluid->density);
 	double change[3] = { -p->f[i][0], -p->f[i][1], -p->f[i][2] };
@@ -565,19 +550,9 @@ static bool stabilizes_particles(const struct ts_instance *self)
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
-	const struct ts_immersed_record *record;
 
-	if (s->body != SPHERES)
-		return TS_OK;
-	record = p->column[s->column].data;
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		ts_add(p->f[i], record[i].force, p->f[i]);
-		if (p->torque)
-			ts_add(p->torque[i], record[i].torque, p->torque[i]);
-	}
+	if (s->body == SPHERES)
+		ts_immersed_spheres_add_forces(&s->spheres, sim);
 	return TS_OK;
 }
 
@@ -587,24 +562,15 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 static enum ts_status eval_total(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
-	struct ts_exactsum sum[6];
-	size_t parts = s->body == SPHERES ? sim->particles->n : 1;
 
-	for (int k = 0; k < 6; k++)
-		sum[k] = ts_exactsum_start();
-	for (size_t i = 0; i < parts; i++) {
-		const struct ts_immersed_record *r = &s->own;
-
-		if (s->body == SPHERES) {
-			if (!ts_in_group(sim->particles, i, self->group))
-				continue;
-			r = (const struct ts_immersed_record *)sim->particles->column[s->column].data + i;
+	if (s->body == SPHERES) {
+		ts_immersed_spheres_total(&s->spheres, sim, out->data);
+	} else {
+		for (int k = 0; k < 3; k++) {
+			out->data[k] = s->own.force[k] + 0; /* 0 has no sign */
+			out->data[3 + k] = s->own.torque[k] + 0;
 		}
-		for (int k = 0; k < 6; k++)
-			ts_exactsum_add(&sum[k], k < 3 ? r->force[k] : r->torque[k - 3]);
 	}
-	for (int k = 0; k < 6; k++)
-		out->data[k] = ts_exactsum_value(&sum[k]);
 	out->data[6] = s->slip;
 	return TS_OK;
 }
@@ -612,15 +578,12 @@ static enum ts_status eval_total(struct ts_instance *self, const struct tsim *si
 static enum ts_status eval_parts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
-	const struct ts_particles *p = sim->particles;
+	const size_t n = sim->particles->n;
 
-	TS_TRY(ts_table_resize(out, p->n, 6));
-	memset(out->data, 0, p->n * 6 * sizeof *out->data);
-	for (size_t i = 0; s->body == SPHERES && i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			memcpy(&out->data[6 * i],
-			       ((const struct ts_immersed_record *)p->column[s->column].data)[i].force,
-			       6 * sizeof *out->data);
+	TS_TRY(ts_table_resize(out, n, 6));
+	memset(out->data, 0, n * 6 * sizeof *out->data);
+	if (s->body == SPHERES)
+		ts_immersed_spheres_forces(&s->spheres, sim, out->data);
 	return TS_OK;
 }
 
@@ -630,8 +593,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	if (s->body != SPHERES)
 		return TS_OK;
-	TS_TRY(ts_particles_archive_column(a, sim, "record", s->column));
-	return ts_particles_archive_column(a, sim, "net force", s->net_column);
+	return ts_immersed_spheres_archive(&s->spheres, sim, a);
 }
 
 static void fini(struct ts_instance *self)

@@ -35,9 +35,9 @@ struct ts_division {
 	struct ts_carried *turned; /* [nturned], by live style with a carrier: particle/turning.h */
 	size_t nturned, turned_capacity;
 	bool unjoined; /* at rest behind a run whose sums are of each rank alone: slot `join` of styles */
-	bool turned_before;  /* rows that depend on periodic faces have been exchanged for this rebuild */
-	bool rebuilding;     /* lists are made again for other particles: it is no rebuild of the run */
-	struct ts_str said;  /* warnings of this rank, of which the first one is to print those that are new */
+	bool turned_before; /* rows that depend on periodic faces have been exchanged for this rebuild */
+	bool rebuilding;    /* lists are made again for other particles: it is no rebuild of the run */
+	struct ts_str said; /* warnings of this rank, of which the first one is to print those that are new */
 	int64_t built, made; /* how often copies were made, and how many */
 	int64_t moved;	     /* particles that have come from other ranks */
 	int64_t gathered;    /* how often all ranks got all particles */
