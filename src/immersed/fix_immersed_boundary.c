@@ -15,7 +15,6 @@
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
 #include "particle/particles.h"
-#include "particle/sphere_shape.h"
 #include "region/region.h"
 #include "rigid/rigid.h"
 
