@@ -81,6 +81,9 @@ has_ranks() {
 	fi
 }
 
+# said FILE: the warnings in `out`, with the lines of the script
+said() { sed -n 's/.*\(in[.][a-z]*:[0-9]*: warning: .*\)/\1/p' out >"$1"; }
+
 # told FILE: what the program prints, without times and counts of ranks
 told() {
 	grep -vE '^(Loop|Nlocal|Nghost|Neigh|Ranks|Of the first)|ns per particle|time \(%\)|^$|acts in each step: all [0-9]* ranks' "$1"

@@ -91,23 +91,19 @@ void ts_fluid_slabs_share(const struct ts_fluid *fluid, double *field)
 		ts_slabs_share(fluid->slabs, &all);
 }
 
-void ts_fluid_slabs_share_halo(const struct ts_fluid *fluid, double *field)
+void ts_fluid_slabs_share_beside(const struct ts_fluid *fluid, double *field, int below, int above)
 {
 	const struct ts_slabs_field all = ts_fluid_slabs_field(&fluid->grid, field);
 
-	if (ts_fluid_divided(fluid))
-		ts_slabs_share_beside(fluid->slabs, &all, TS_GRID_GHOSTS, TS_GRID_GHOSTS,
-				      fluid->grid.periodic[2]);
-	else
-		ts_fluid_slabs_share(fluid, field);
+	ts_slabs_share_beside(fluid->slabs, &all, below, above, fluid->grid.periodic[2]);
 }
 
-void ts_fluid_slabs_share_beside(const struct ts_fluid *fluid, double *field, int planes)
+void ts_fluid_slabs_share_halo(const struct ts_fluid *fluid, double *field)
 {
-	const struct ts_slabs_field all = ts_fluid_slabs_field(&fluid->grid, field);
-
 	if (ts_fluid_divided(fluid))
-		ts_slabs_share_beside(fluid->slabs, &all, planes, planes, fluid->grid.periodic[2]);
+		ts_fluid_slabs_share_beside(fluid, field, TS_GRID_GHOSTS, TS_GRID_GHOSTS);
+	else
+		ts_fluid_slabs_share(fluid, field);
 }
 
 double ts_fluid_slabs_most(const struct ts_fluid *fluid, double value)

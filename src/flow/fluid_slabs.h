@@ -24,8 +24,8 @@ void ts_fluid_slabs_values(const struct ts_fluid *fluid, size_t *first, size_t *
 void ts_fluid_slabs_share(const struct ts_fluid *fluid, double *field);
 /* The same; if it has the fluid in some planes only, each gets those that it has beside its own ones. */
 void ts_fluid_slabs_share_halo(const struct ts_fluid *fluid, double *field);
-/* If it has the fluid in some planes only: it gets so many on each side of its own ones (at most what fluid->planes has). */
-void ts_fluid_slabs_share_beside(const struct ts_fluid *fluid, double *field, int planes);
+/* Each rank gets so many planes below and above its own ones. */
+void ts_fluid_slabs_share_beside(const struct ts_fluid *fluid, double *field, int below, int above);
 /* The largest of the values of all ranks. */
 double ts_fluid_slabs_most(const struct ts_fluid *fluid, double value);
 

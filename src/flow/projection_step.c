@@ -59,7 +59,7 @@ static enum ts_status apply_part_forces(struct ts_projection *p, struct tsim *si
 {
 	struct ts_fluid *fluid = &p->fluid;
 	struct ts_instance *part;
-	bool fill = false;
+	bool some = false, fill = false;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
@@ -67,9 +67,10 @@ static enum ts_status apply_part_forces(struct ts_projection *p, struct tsim *si
 		if (!flow_part->force)
 			continue;
 		TS_TRY(flow_part->force(part, sim, fluid, time, dt));
+		some = true;
 		fill |= !flow_part->keeps_ghosts;
 	}
-	if (ts_fluid_divided(fluid) && ts_projection_parts_have_forces(sim))
+	if (some && ts_fluid_divided(fluid))
 		ts_slab_step_predicted(p, false);
 	if (fill)
 		ts_fluid_fill_velocity(fluid, fluid->u);
@@ -213,7 +214,7 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 	swap_fields(fluid->u, p->work);
 	ts_projection_apply_particle_forces(p, length);
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
-	ts_slab_step_predicted(p, ts_projection_parts_have_forces(sim) && !ts_fluid_divided(fluid));
+	ts_slab_step_predicted(p, ts_projection_parts_have_forces(sim));
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(apply_part_forces(p, sim, fluid->time + scheme->at[s] * dt, length));
 	p->pressure_time = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;

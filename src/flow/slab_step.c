@@ -346,15 +346,9 @@ void ts_slab_step_share(struct ts_projection *p, double *field)
 	ts_fluid_slabs_share(&p->fluid, field);
 }
 
-static void share_beside(struct ts_projection *p, double *field, int below, int above)
+void ts_slab_step_predicted(struct ts_projection *p, bool to_change)
 {
-	const struct ts_slabs_field all = ts_fluid_slabs_field(&p->fluid.grid, field);
-
-	ts_slabs_share_beside(&p->slabs, &all, below, above, p->fluid.grid.periodic[2]);
-}
-
-void ts_slab_step_predicted(struct ts_projection *p, bool all)
-{
+	const bool all = to_change && !ts_fluid_divided(&p->fluid);
 	double *const *u = p->fluid.u;
 
 	if (!p->slabs.active)
@@ -363,12 +357,12 @@ void ts_slab_step_predicted(struct ts_projection *p, bool all)
 		ts_slab_step_share(p, u[d]);
 	if (all)
 		return;
-	share_beside(p, u[2], 0, 1);
+	ts_fluid_slabs_share_beside(&p->fluid, u[2], 0, 1);
 	for (int d = 0; d < 2; d++) {
 		if (!ts_fluid_leans_on_images(&p->fluid, d))
 			continue;
 		if (ts_fluid_divided(&p->fluid))
-			share_beside(p, u[d], 1, 0);
+			ts_fluid_slabs_share_beside(&p->fluid, u[d], 1, 0);
 		else
 			ts_slab_step_share(p, u[d]);
 	}
@@ -377,7 +371,7 @@ void ts_slab_step_predicted(struct ts_projection *p, bool all)
 void ts_slab_step_solved(struct ts_projection *p, double *pressure)
 {
 	if (ts_fluid_divided(&p->fluid))
-		share_beside(p, pressure, 1, 0);
+		ts_fluid_slabs_share_beside(&p->fluid, pressure, 1, 0);
 	else
 		ts_slab_step_share(p, pressure);
 }
@@ -386,7 +380,7 @@ void ts_slab_step_corrected(struct ts_projection *p)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions && p->slabs.active; d++)
 		if (ts_fluid_divided(&p->fluid))
-			share_beside(p, p->fluid.u[d], TS_GRID_GHOSTS, TS_GRID_GHOSTS);
+			ts_fluid_slabs_share_beside(&p->fluid, p->fluid.u[d], TS_GRID_GHOSTS, TS_GRID_GHOSTS);
 		else
 			ts_slab_step_share(p, p->fluid.u[d]);
 }

@@ -30,9 +30,9 @@ void ts_slab_step_count_spread(struct ts_projection *projection, const struct ts
 /* After the pressure solver has been chosen: all ranks get all planes if they do not divide it. Returns whether they have got them. */
 bool ts_slab_step_check_solver(struct ts_projection *projection, const struct tsim *sim);
 
-/* All do nothing while ranks do not have slabs. After the predictor: velocities that the divergence needs; those of all
- * planes if fixes change them. */
-void ts_slab_step_predicted(struct ts_projection *projection, bool all);
+/* All do nothing while ranks do not have slabs. After the predictor, or what fixes have changed of it: velocities that the
+ * divergence needs; if they are still to change them, those of all planes, unless ranks have some planes only. */
+void ts_slab_step_predicted(struct ts_projection *projection, bool to_change);
 /* The pressure of all planes, or what the correction of the velocity needs of a field of which a rank has its own planes. */
 void ts_slab_step_solved(struct ts_projection *projection, double *pressure);
 /* The velocities of all planes, or those that the next predictor needs. */

@@ -44,17 +44,17 @@ static enum ts_status rehearse_projection(struct ts_projection *p, int iteration
 
 static void rehearse_forces(struct ts_projection *p, const struct tsim *sim)
 {
-	const bool some = ts_projection_parts_have_forces(sim), divided = ts_fluid_divided(&p->fluid);
+	const bool some = ts_projection_parts_have_forces(sim);
 	const struct ts_instance *part;
 
-	ts_slab_step_predicted(p, some && !divided);
+	ts_slab_step_predicted(p, some);
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
 		if (flow_part->rehearse_force)
 			flow_part->rehearse_force(part, &p->fluid);
 	}
-	if (some && divided)
+	if (some && ts_fluid_divided(&p->fluid))
 		ts_slab_step_predicted(p, false);
 }
 

@@ -1,7 +1,6 @@
 #include "immersed/immersed.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "flow/fluid_slabs.h"
 
@@ -130,55 +129,17 @@ static void force_outer_points(struct ts_immersed *ib, struct ts_fluid *fluid, i
 
 /* ---- ranks that have the fluid in some planes only */
 
-static int reached_cells(const struct ts_grid *grid, double x, double width, int k)
-{
-	/* a little more than two spacings: round-off may choose the next cell */
-	const double period = grid->face[2][grid->n[2]] - grid->face[2][0], reach = 2.001 * width;
-	int most = 0;
-
-	for (int side = -1; side <= 1; side += 2) {
-		double y = x + side * reach, turns = 0;
-		int i;
-
-		if (grid->periodic[2])
-			turns = floor((y - grid->face[2][0]) / period);
-		y = fmin(fmax(y - turns * period, grid->face[2][0]), grid->face[2][grid->n[2]]);
-		i = ts_grid_find(grid, 2, y) + (int)turns * grid->n[2];
-		most = abs(i - k) > most ? abs(i - k) : most;
-	}
-	return most;
-}
-
-/* Of the cell with a sample also the neighbours: of trilinear interpolation, and of the pressure gradient; ghosts beside open
- * faces depend on the next plane. */
-int ts_immersed_planes_beside(const struct ts_grid *grid)
-{
-	int most = 0;
-
-	for (int k = 0; k < grid->n[2]; k++) {
-		const int centre = reached_cells(grid, grid->centre[2][k], grid->width[2][k], k),
-			  face = reached_cells(grid, grid->face[2][k], grid->gap[2][k], k);
-
-		most = centre > most ? centre : most;
-		most = face > most ? face : most;
-	}
-	return most + 1;
-}
-
 static void share_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid)
 {
-	for (int c = 0; c < fluid->grid.dimensions; c++)
-		ts_fluid_slabs_share_beside(fluid, fluid->u[c], ib->planes_beside);
+	for (int c = 0; c < fluid->grid.dimensions && ts_fluid_divided(fluid); c++)
+		ts_fluid_slabs_share_beside(fluid, fluid->u[c], ib->planes_beside, ib->planes_beside);
 }
 
 /* Samples read the pressure of the last projection. */
 static void share_pressure(const struct ts_immersed *ib, const struct ts_fluid *fluid)
 {
-	if (!ts_fluid_divided(fluid) || fluid->incremental)
-		return;
-	ts_fluid_slabs_share_beside(fluid, fluid->p, ib->planes_beside);
-	if (fluid->grid.periodic[2])
-		ts_fluid_fill_periodic(fluid, fluid->p);
+	if (ts_fluid_divided(fluid) && !fluid->incremental)
+		ts_fluid_slabs_share_beside(fluid, fluid->p, ib->planes_beside, ib->planes_beside);
 }
 
 void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, double dt, int iterations)
@@ -186,6 +147,8 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, double dt
 	const int dimensions = fluid->grid.dimensions;
 
 	share_pressure(ib, fluid);
+	if (ts_fluid_divided(fluid) && fluid->grid.periodic[2] && !fluid->incremental)
+		ts_fluid_fill_periodic(fluid, fluid->p);
 	for (int c = 0; c < dimensions; c++) {
 		force_inside(ib, fluid, c, dt);
 		begin_outer_points(ib, fluid, c, dt);
@@ -202,8 +165,7 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, double dt
 
 void ts_immersed_rehearse_force(const struct ts_immersed *ib, const struct ts_fluid *fluid, int iterations)
 {
-	if (!fluid->incremental)
-		ts_fluid_slabs_share_beside(fluid, fluid->p, ib->planes_beside);
+	share_pressure(ib, fluid);
 	for (int m = 0; m < iterations && ib->beside; m++)
 		share_velocity(ib, fluid);
 }

@@ -148,6 +148,8 @@ enum ts_status ts_immersed_distances(struct ts_solid *solid, const struct ts_gri
  * Finds the forced points, after the solid has moved, or other planes are those of this rank. */
 enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
 				       const struct ts_fluid *fluid);
+/* Planes below a point, or above it, from which its samples read. */
+int ts_immersed_planes_beside(const struct ts_grid *grid);
 /* Whether the points are those of the planes that this rank has now. */
 bool ts_immersed_has_planes(const struct ts_immersed *ib, const struct ts_fluid *fluid);
 void ts_immersed_release(struct ts_immersed *ib);
@@ -155,8 +157,6 @@ void ts_immersed_release(struct ts_immersed *ib);
 /* ---- immersed.c
  * Forces the predictor fluid->u, and sums the impulses. */
 void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, double dt, int iterations);
-/* Planes below a point, or above it, from which its samples read. */
-int ts_immersed_planes_beside(const struct ts_grid *grid);
 /* Exchanges what the forcing exchanges, without computing it. */
 void ts_immersed_rehearse_force(const struct ts_immersed *ib, const struct ts_fluid *fluid, int iterations);
 

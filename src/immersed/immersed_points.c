@@ -30,6 +30,7 @@ struct search {
 	size_t worker, part;
 	double lo[3], hi[3]; /* bounding box of the part */
 	int from[3], to[3];  /* ranges of indices; along periodic axes also beyond the grid */
+	const int *planes;   /* of struct ts_immersed */
 	bool parallel;	     /* several threads: the part of a point is determined later */
 	struct ts_immersed_point *last;
 };
@@ -242,6 +243,39 @@ static void find_sample(const struct search *s, const double x[3], const double 
 	out->index = i[s->component];
 }
 
+/* The largest distance, in planes, of the cells two spacings from a point in cell k. */
+static int reached_planes(const struct ts_grid *grid, double x, double width, int k)
+{
+	const double lo = grid->face[2][0], hi = grid->face[2][grid->n[2]];
+	const double reach = 2.001 * width; /* a little more: round-off may choose the next cell */
+	double below = x - reach, above = x + reach;
+	int under, over;
+
+	if (!grid->periodic[2]) {
+		below = fmax(below, lo);
+		above = fmin(above, hi);
+	}
+	under = k - cell_of(grid, 2, below);
+	over = cell_of(grid, 2, above) - k;
+	return under > over ? under : over;
+}
+
+/* Of the cell with a sample also the neighbours: of trilinear interpolation, and of the pressure gradient; ghosts beside open
+ * faces depend on the next plane. */
+int ts_immersed_planes_beside(const struct ts_grid *grid)
+{
+	int most = 0;
+
+	for (int k = 0; k < grid->n[2]; k++) {
+		const int centre = reached_planes(grid, grid->centre[2][k], grid->width[2][k], k),
+			  face = reached_planes(grid, grid->face[2][k], grid->gap[2][k], k);
+
+		most = centre > most ? centre : most;
+		most = face > most ? face : most;
+	}
+	return most + 1;
+}
+
 /* Of the cell around a point: extent along n, spacing l along n, and largest distance from the surface at
  * which a neighbour may be inside. */
 struct extent {
@@ -363,7 +397,7 @@ static bool has_plane(const struct search *s, int k)
 {
 	const int at = index_in_grid(s->grid, 2, k);
 
-	return at >= s->ib->planes[0] && at < s->ib->planes[1];
+	return at >= s->planes[0] && at < s->planes[1];
 }
 
 /* Leaves planes out that are those of other ranks, at both ends of the range. */
@@ -431,7 +465,6 @@ static void search_chunks(void *context, size_t from, size_t to)
 		s.worker = k;
 		s.ib->npoints = s.ib->nouter = 0;
 		s.ib->reads_ghosts = false;
-		memcpy(s.ib->planes, task->search->ib->planes, sizeof s.ib->planes);
 		s.ib->status = search_rows(&s, task->rows * k / chunks, task->rows * (k + 1) / chunks);
 	}
 }
@@ -587,7 +620,9 @@ static void release_other_planes(struct ts_immersed *ib, const struct ts_fluid *
 enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
 				       const struct ts_fluid *fluid)
 {
-	struct search s = { .ib = ib, .solid = solid, .fluid = fluid, .grid = &fluid->grid };
+	struct search s = {
+		.ib = ib, .solid = solid, .fluid = fluid, .grid = &fluid->grid, .planes = ib->planes
+	};
 
 	release_other_planes(ib, fluid);
 	TS_TRY(allocate_scratch(ib, solid, &fluid->grid));

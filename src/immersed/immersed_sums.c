@@ -199,10 +199,10 @@ static enum ts_status tell_layers(struct ts_immersed *ib, const struct ts_fluid 
 	return ts_world_share(fluid->slabs->world, &ib->own_layers, &ib->all_layers);
 }
 
-static enum ts_status make_room(struct ts_immersed *ib)
+static enum ts_status make_room(struct ts_immersed *ib, size_t layers)
 {
 	ib->own_layers.n = 0;
-	return ts_parcel_extend(&ib->own_layers, ib->nlayers * sizeof(struct layer_sums)) ? TS_OK : TS_NOMEM;
+	return ts_parcel_extend(&ib->own_layers, layers * sizeof(struct layer_sums)) ? TS_OK : TS_NOMEM;
 }
 
 enum ts_status ts_immersed_sum_parts(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts)
@@ -211,7 +211,7 @@ enum ts_status ts_immersed_sum_parts(struct ts_immersed *ib, const struct ts_flu
 	struct layer_sums *list;
 	size_t n;
 
-	TS_TRY(make_room(ib));
+	TS_TRY(make_room(ib, ib->nlayers));
 	for_layers(ib, fluid, 0, sum_layers);
 	TS_TRY(tell_layers(ib, fluid, &all));
 	list = sums_of(all);
@@ -235,8 +235,6 @@ enum ts_status ts_immersed_rehearse_sums(struct ts_immersed *ib, const struct ts
 	ts_fluid_slabs_planes(fluid, &first, &end);
 	for (size_t k = 0; k < ib->nlayers; k++)
 		n += ib->layer[k].plane >= first && ib->layer[k].plane < end;
-	ib->own_layers.n = 0;
-	if (!ts_parcel_extend(&ib->own_layers, n * sizeof(struct layer_sums)))
-		return TS_NOMEM;
+	TS_TRY(make_room(ib, n));
 	return tell_layers(ib, fluid, &all);
 }

@@ -288,9 +288,7 @@ static enum ts_status copy_with_history(struct tsim *sim, const struct ts_wall_c
 			continue;
 		TS_TRY(ts_wall_contacts_add(sim, kept, 0, 0, 0));
 		memcpy(kept->key[at], c->key[k], sizeof *c->key);
-		memcpy(ts_wall_memory(kept, at), ts_wall_memory(c, k), c->width * sizeof *c->memory);
-		if (c->report)
-			kept->report[at] = c->report[k];
+		copy_history(kept, at, c, k, false);
 	}
 	return TS_OK;
 }

@@ -8,9 +8,6 @@
 has_ranks || exit 77
 export OMP_NUM_THREADS=1
 
-# said FILE: the warnings in `out`
-said() { sed -n 's/.*\(in.[a-z]*:[0-9]*: warning: .*\)/\1/p' out >"$1"; }
-
 cp "$top_srcdir/tests/rank/scenes/in.sluice" .
 "$TSIM" -in in.sluice -log none -var out one >out 2>&1
 report 'a gate and balls, one rank' $? out

@@ -109,7 +109,6 @@ done
 # What is said of a fluid with grains is said once: of its cells, of limits, and by the review of a fix.
 sed 's/boundary p p f/boundary p p p/; /^flow_boundary/d; /^fix floor/d; s/cells 12 6 30/cells 32 16 64/; s/^run 110/run 3/; s/^run 60/run 2/
 	s/all void_fraction/& least 0.7/' "$scenes/in.current" >in.said
-said() { sed -n 's/^[^ ]*in.said:\([0-9]*: warning: .*\)/\1/p' out >"$1"; }
 "$TSIM" -in in.said -log none -var out said >out 2>&1 && said said.1
 ranks 3 -in in.said -log none -var out said && said said.3
 same 'warnings of three ranks' said.1 said.3
