@@ -1,6 +1,6 @@
 # For shell tests: a text in the output of a program.
 
-# bounded TEXT: the Perl pattern of TEXT where it is no part of a longer word or number: 'count 1' is not in
+# bounded TEXT: sets `bounded` to the Perl pattern of TEXT where it is no part of a longer word or number: 'count 1' is not in
 # 'count 17', nor '1.2' in '-1.2', '31.2', '1.25' or '1.2e-3'
 bounded() {
 	local before='' after=''
@@ -15,14 +15,15 @@ bounded() {
 	*[[:alpha:]_]) after='(?!\w)' ;;
 	*[0-9].) after='(?!\d)' ;;
 	esac
-	printf '%s\\Q%s\\E%s' "$before" "${1//\\E/\\E\\\\E\\Q}" "$after"
+	bounded=$before\\Q${1//\\E/\\E\\\\E\\Q}\\E$after
 }
 
 # shows TEXT FILE...: whether a line of a file has TEXT, not as a part of a longer word or number
 shows() {
-	local text=$1
+	local bounded
+	bounded "$1"
 	shift
-	grep -qP -- "$(bounded "$text")" "$@"
+	grep -qP -- "$bounded" "$@"
 }
 
 # says_line LINE FILE: whether LINE is a whole line of the file; '*TEXT' need only be a part of one

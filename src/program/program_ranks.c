@@ -145,7 +145,7 @@ enum {
 	 * pieces of EAGER. */
 	EAGER = 4000,
 	SHORT = 1 << 15,
-	SPINS = 200,	/* polls before the processor is offered to others */
+	LOOK = 200,	/* polls between two looks for failures of others */
 	MESSAGE = 8192, /* bytes of an error message */
 	PATIENCE = 60	/* s until a rank ends all by itself, if the first one does not */
 };
@@ -178,10 +178,10 @@ static void look_for_trouble(struct mpi *m)
 /* Between two polls of an operation: the first rank learns of failures, and after a while others get the processor. */
 static void go_on_polling(struct mpi *m, int *spin)
 {
-	if (m->base.rank == 0 && *spin % SPINS == SPINS - 1)
+	if (m->base.rank == 0 && *spin % LOOK == LOOK - 1)
 		look_for_trouble(m);
-	if (++*spin > SPINS)
-		ts_waiting_offer(&m->waiting, *spin == SPINS + 1);
+	if (++*spin > m->waiting.polls)
+		ts_waiting_offer(&m->waiting, *spin == m->waiting.polls + 1);
 }
 
 static void wait_for(struct mpi *m, MPI_Request *request, int n)

@@ -1,5 +1,6 @@
 #include "rank/waiting.h"
 
+#include <math.h>
 #include <sched.h>
 #include <stddef.h>
 #include <strings.h>
@@ -15,11 +16,15 @@
 /* A wait is long after LONG s. If others have had the processor for TAKEN s when it was offered, they compute: for the next
  * SHARED s no more is asked. */
 static const double LONG = 1e-3, TAKEN = 1e-4, SHARED = 2e-2;
-static const struct timespec NAP = { 0, 30000 }; /* ns */
+/* A nap is the longer the longer the wait has been, as each takes the system about 10 us: at the end of a wait it adds at most
+ * the PART of it, or NAP s. */
+static const double NAP = 3e-5, LONGEST_NAP = 1e-3, PART = 0.125;
 
 struct ts_waiting ts_waiting_policy(const char *word)
 {
-	return (struct ts_waiting){ .passive = word && strcasecmp(word, "passive") == 0 };
+	bool passive = word && strcasecmp(word, "passive") == 0;
+
+	return (struct ts_waiting){ .passive = passive, .polls = passive ? 20 : 200 };
 }
 
 void ts_waiting_be_exact(const struct ts_waiting *w)
@@ -30,6 +35,13 @@ void ts_waiting_be_exact(const struct ts_waiting *w)
 #else
 	(void)w;
 #endif
+}
+
+static void nap(double waited)
+{
+	double time = fmin(fmax(NAP, PART * waited), LONGEST_NAP);
+
+	nanosleep(&(struct timespec){ 0, (long)(1e9 * time) }, NULL);
 }
 
 void ts_waiting_offer(struct ts_waiting *w, bool first)
@@ -44,7 +56,7 @@ void ts_waiting_offer(struct ts_waiting *w, bool first)
 	if (first)
 		w->begun = now;
 	if (now < w->shared_until || now - w->begun > LONG) {
-		nanosleep(&NAP, NULL);
+		nap(now - w->begun);
 		return;
 	}
 	sched_yield();

@@ -8,6 +8,7 @@
 
 struct ts_waiting {
 	bool passive;
+	int polls;	     /* before the processor is offered for the first time */
 	double begun;	     /* clock when the present wait began, s */
 	double shared_until; /* clock until which other programs are taken to compute, s */
 };

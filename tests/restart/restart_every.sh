@@ -17,30 +17,14 @@ part() {
 	report "$name: $1" $? "$1/err"
 }
 
-# content FILE...: what those of them that are there hold, all of one kind; without the titles that each part writes.
-content() {
-	case $1 in
-	*.gz) gunzip -c "$@" ;;
-	*.png | *.ppm) cat "$@" ;;
-	*) grep -hv '^#' "$@" ;;
-	esac 2>/dev/null
-}
-
 compare() { # STEP
-	local file
-	for file in whole/*; do
-		file=${file#whole/}
-		case $file in
-		in | deck | err | log | *.restart | *.pvd | *.series | *.obj) continue ;;
-		esac
-		content "whole/$file" >expected
-		content {one,two}/"$file" >found
-		[ -s expected ] && same "$name: $file" expected found
-	done
-	same "$name: the state at the end" whole/end.restart two/end.restart
-	rows whole/log | grep -vE "^ +$1 " >expected
-	rows one/log two/log | grep -vE "^ +$1 " >found
-	same "$name: tables" expected found
+	local what
+	python3 -IS "$top_srcdir/tests/compare_parts.py" whole one two "$1" >compared
+	report "$name: compared" $?
+	while IFS= read -r what; do
+		[[ $what == *': same' ]]
+		report "$name: $what" $?
+	done <compared
 }
 
 # cut_at RUN STEPS: the deck in two
