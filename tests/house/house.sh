@@ -34,6 +34,10 @@ forbid '\<(malloc|calloc|realloc|free)\(' 'memory comes from base/alloc.h' <<LIS
 $(find src -name '*.[ch]' ! -path 'src/base/alloc.*')
 LIST
 
+forbid '\<report .*\$\([^(].*" \$\?' '$? is the status of the substitution before it: the case cannot fail' <<LIST
+$(find tests examples -name '*.sh')
+LIST
+
 # A moving region is where it was when it was last asked, so who asks brings it up to date.
 for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c); do
 	case $file in src/region/region.c | src/insert/sites.c | src/*/region_*) continue ;; esac

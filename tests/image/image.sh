@@ -172,8 +172,9 @@ run 10"
 	for film in 'moved.mp4 6 64 48' 'two.mkv 5 34 22'; do
 		read -r file frames width height <<<"$film"
 		ffmpeg -loglevel error -y -i "$file" -pix_fmt rgb24 -f rawvideo -vsync 0 film.raw </dev/null
-		[ "$(wc -c <film.raw)" = $((3 * frames * width * height)) ]
-		report "$file has $(wc -c <film.raw) bytes" $?
+		bytes=$(wc -c <film.raw)
+		[ "$bytes" = $((3 * frames * width * height)) ]
+		report "$file has $bytes bytes" $?
 	done
 
 	# after a restart the first movie is kept, and the frames that follow are in a second one
@@ -191,8 +192,9 @@ dump 1 all movie 5 film.mp4 type diameter size 64 48
 run 10' "*goes on from this restart file in 'film.25.mp4'"
 	same 'the first movie' first.mp4 film.mp4
 	ffmpeg -loglevel error -y -i film.25.mp4 -pix_fmt rgb24 -f rawvideo -vsync 0 film.raw </dev/null
-	[ "$(wc -c <film.raw)" = $((3 * 2 * 64 * 48)) ]
-	report "the second movie has $(wc -c <film.raw) bytes" $?
+	bytes=$(wc -c <film.raw)
+	[ "$bytes" = $((3 * 2 * 64 * 48)) ]
+	report "the second movie has $bytes bytes" $?
 fi
 rejects "$base
 dump 1 all movie 1 film.txt type type" 'must end in .mp4'
@@ -222,8 +224,9 @@ run 200
 END
 "$TSIM" -in in.whole -log none >out 2>&1
 report 'frames' $? out
-[ "$(echo whole.*.png)" = 'whole.0000.png whole.0100.png whole.0200.png whole.0300.png whole.0400.png' ]
-report "names: $(echo whole.*.png)" $?
+names=$(echo whole.*.png)
+[ "$names" = 'whole.0000.png whole.0100.png whole.0200.png whole.0300.png whole.0400.png' ]
+report "names: $names" $?
 mkdir whole && mv whole.*.png whole
 OMP_NUM_THREADS=3 "$TSIM" -in in.whole -log none >out 2>&1
 for step in 0000 0200 0400; do same "three threads, $step" whole.$step.png whole/whole.$step.png; done

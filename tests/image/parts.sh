@@ -42,16 +42,18 @@ near 'half of red behind a value below the range' b.ppm 100 180 '128 0 0'
 near 'half of red behind a value above the range' b.ppm 100 20 '255 128 128'
 near 'a plane seen from its side is not lit' c.ppm 100 100 '77 77 77'
 near 'vorticity -0.1' d.ppm 100 100 '128 128 128'
-# arrows at 1, 3, 5, 7, 9; that at y = 9 has the length 1.5, that at y = 3 of 0.5 is thinner in proportion
+# Arrows at 1, 3, 5, 7, 9: that at y = 9 ends at pixel 50, that at y = 3 at 30. Heads are half of them, 3.75 and 1.25 pixels in
+# radius; shafts are a third of that. Pixels of the tip are half a pixel beside its axis.
 is 'begin of the largest arrow' e.ppm 21 19 '0 255 0'
-is 'its end' e.ppm 48 19 '0 255 0'
-is 'beyond its end' e.ppm 53 19 '0 0 0'
-is 'head beside the shaft' e.ppm 31 24 '0 255 0'
-is 'beside the shaft' e.ppm 25 24 '0 0 0'
-is 'arrow at y = 3' e.ppm 28 139 '0 255 0'
-is 'beyond it' e.ppm 32 139 '0 0 0'
-is 'factor: end of 0.9' f.ppm 36 19 '0 255 0'
-is 'factor: beyond its end' f.ppm 40 19 '0 0 0'
+is 'its end' e.ppm 47 19 '0 255 0'
+is 'beyond its end' e.ppm 48 19 '0 0 0'
+is 'head beside the shaft' e.ppm 37 22 '0 255 0'
+is 'beside the head' e.ppm 37 23 '0 0 0'
+is 'beside the shaft' e.ppm 33 22 '0 0 0'
+is 'arrow at y = 3' e.ppm 26 139 '0 255 0'
+is 'beyond it' e.ppm 30 139 '0 0 0'
+is 'factor: end of 0.9' f.ppm 35 19 '0 255 0'
+is 'factor: beyond its end' f.ppm 38 19 '0 0 0'
 near 'a variable place' g.ppm 60 149 '64 64 64'
 
 prints "$couette
@@ -122,7 +124,7 @@ variable nought atom 0
 write_dump all image a.ppm type diameter $above arrow vx vy vz length 4 width 0.4 modify $flat
 write_dump all image b.ppm type diameter $above atom no arrow v_one v_nought v_nought factor 2 width 0.4 color white modify $flat"
 is 'end of the longest' a.ppm 127 149 '255 0 0'
-is 'beyond it' a.ppm 133 149 '0 0 0'
+is 'beyond it, where no particle is yet' a.ppm 128 149 '0 0 0'
 is 'the other, half as long, downwards' a.ppm 150 187 '34 139 34'
 is 'beyond it' a.ppm 150 193 '0 0 0'
 is 'no arrow of a particle at rest' a.ppm 180 50 '0 0 0'
@@ -286,7 +288,7 @@ near 'the last cell' film.1/a.ppm 195 100 '13 13 13'
 is 'above the relief' film.1/c.ppm 100 30 '0 255 0'
 is 'right, above it' film.1/c.ppm 195 55 '0 255 0'
 is 'left, below it' film.1/c.ppm 4 190 '0 255 0'
-[ "$(pixel film.1/c.ppm 4 55)" != '0 255 0' ] && [ "$(pixel film.1/c.ppm 195 190)" != '0 255 0' ]
+pixel film.1/c.ppm 4 55 && [ "$pixel" != '0 255 0' ] && pixel film.1/c.ppm 195 190 && [ "$pixel" != '0 255 0' ]
 report 'the relief falls' $?
 grep -q 'it has not been computed yet' out
 report 'a film before its run' $? out

@@ -5,32 +5,50 @@
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 cd "$top_srcdir" || exit 99
 
-# links FILE: the targets of its links and pictures, outside of code
-links() {
-	awk '/^ *```/ { block = !block; next } !block && !/^    /' "$1" | sed 's/``[^`]*``//g; s/`[^`]*`//g' |
-		grep -oE '\]\([^) ]+\)|(href|src)="[^"]+"' | sed -E 's/^\]\(//; s/\)$//; s/^(href|src)="//; s/"$//'
-}
-# headings FILE: what follows # in a link to them
-headings() {
-	awk '/^```/ { block = !block } !block && /^#+ /' "$1" | sed 's/^#* //' | tr 'A-Z ' 'a-z-' | tr -d '`().,:;/^*+!?'"'"
-}
-for page in README.md CONTRIBUTING.md doc/*.md doc/styles/*.md; do
-	links "$page" | while read -r link; do
-		case $link in
-		http*) continue ;;
-		esac
+# Links and pictures of the pages, outside of code, "link PAGE TARGET"; their headings, as a link to them says, "heading PAGE NAME";
+# pages that are named without a link, "named PAGE FILE".
+awk -v quote="'" '
+	function find(text, pattern, what, from,   rest) {
+		for (rest = text; match(rest, pattern); rest = substr(rest, RSTART + RLENGTH))
+			print what, FILENAME, substr(rest, RSTART + from, RLENGTH - from - (what == "link"))
+	}
+	FNR == 1 { block = 0 }
+	/^ *```/ { block = !block; next }
+	{ find(" " $0, "[^A-Za-z0-9_]doc/[a-z0-9-]+[.]md", "named", 1) }
+	block { next }
+	/^#+ / {
+		name = tolower($0)
+		sub(/^#+ */, "", name)
+		gsub(/ /, "-", name)
+		gsub("[`().,:;/^*+!?" quote "]", "", name)
+		print "heading", FILENAME, name
+	}
+	!/^    / {
+		gsub(/``[^`]*``/, "")
+		gsub(/`[^`]*`/, "")
+		find($0, "\\]\\([^) ]+\\)", "link", 2)
+		find($0, "href=\"[^\"]+\"", "link", 6)
+		find($0, "src=\"[^\"]+\"", "link", 5)
+	}' README.md CONTRIBUTING.md doc/*.md doc/styles/*.md >"$work/found"
+declare -A headings
+while read -r what page name; do
+	[ "$what" != heading ] || headings[$page#$name]=1
+done <"$work/found"
+while read -r what page link; do
+	case $what:$link in
+	link:http*) ;;
+	link:*)
 		file=${link%%#*}
 		path=$page
-		[ -n "$file" ] && path=$(dirname "$page")/$file
-		[ -e "$path" ] || { echo "$page: no file $link"; continue; }
-		[ "$link" = "$file" ] || headings "$path" | grep -qxF -- "${link#*#}" || echo "$page: no heading $link"
-	done
-	# pages that are named without a link
-	grep -oE '\bdoc/[a-z0-9-]+\.md' "$page" | sort -u | while read -r name; do
-		[ -e "$name" ] || echo "$page: no file $name"
-	done
-done >"$work/dead"
-[ ! -s "$work/dead" ]
+		[ -z "$file" ] || path=$page/../$file
+		while [[ $path =~ ^(.*/)?[^/]+/\.\./(.*)$ ]]; do path=${BASH_REMATCH[1]}${BASH_REMATCH[2]}; done
+		[ -e "$path" ] || echo "$page: no file $link"
+		[ "$link" = "$file" ] || [ ! -e "$path" ] || [ -n "${headings[$path#${link#*#}]}" ] || echo "$page: no heading $link"
+		;;
+	named:*) [ -e "$link" ] || echo "$page: no file $link" ;;
+	esac
+done <"$work/found" >"$work/dead"
+[ "$(grep -c ^link "$work/found")" -gt 600 ] && [ ! -s "$work/dead" ]
 report 'all links' $? "$work/dead"
 
 for page in doc/*.md; do

@@ -4,21 +4,27 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
-# headings FILE: the headings of the page, in one line
-headings() {
-	awk '/^```/ { block = !block } /^## / && !block { printf "%s%s", n++ ? ", " : "", substr($0, 4) }' "$1"
-}
-
-# Every page has its parts in this order; those in brackets may be missing.
+# Every page has its parts in this order; those in brackets may be missing. No page begins with a long list: an argument that a
+# line can do without, and no example shows, comes later.
 order='^Example, Syntax(, Arguments)?(, Coefficients)?, Description(, Further arguments)?(, Output)?(, Source)?$'
-for page in "$top_srcdir"/doc/styles/*_*.md; do
-	headings "$page" >found
-	grep -qE "$order" found && [ -n "$(sed -n 3p "$page")" ]
-	report "order of ${page##*/}" $? found
-	# no page begins with a long list: an argument that a line can do without, and no example shows, comes later
-	awk '/^## / { part = $2 } part == "Arguments" && /^- / { n++ } END { exit n > 27 }' "$page"
-	report "arguments at the beginning of ${page##*/}" $?
-done
+awk -v order="$order" '
+	function tell() {
+		if (page)
+			print parts ~ order && summary ? "ordered" : "out of order", page, parts "\n" (arguments > 27 ? "long" : "short"), page
+	}
+	FNR == 1 { tell(); page = FILENAME; sub(/.*\//, "", page); parts = part = ""; block = arguments = 0 }
+	FNR == 3 { summary = $0 != "" }
+	/^```/ { block = !block }
+	/^## / && !block { parts = parts (parts ? ", " : "") substr($0, 4) }
+	/^## / { part = $2 }
+	part == "Arguments" && /^- / { arguments++ }
+	END { tell() }' "$top_srcdir"/doc/styles/*_*.md >pages
+while read -r verdict page parts; do
+	[ "$verdict" = ordered ] || [ "$verdict" = short ]
+	report "$page: $verdict $parts" $?
+done <pages
+[ "$(wc -l <pages)" -ge 600 ]
+report 'there are pages of styles' $?
 
 # the longest one: the words of bonds, heat and output come after the description
 "$TSIM" -help fix wall/gran >page
