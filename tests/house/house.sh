@@ -38,6 +38,9 @@ forbid '\<report .*\$\([^(].*" \$\?' '$? is the status of the substitution befor
 $(find tests examples -name '*.sh')
 LIST
 
+blind=$(find tests examples -name '*.sh' -exec grep -nE "awk '[^']*\<exit !\(" {} + | grep -vE '\<(BEGIN|END)\>')
+[ -z "$blind" ] || { printf 'awk judges no line, and says yes, if there is none (END { if (!seen) exit 1 }):\n%s\n' "$blind" && status=1; }
+
 # A moving region is where it was when it was last asked, so who asks brings it up to date.
 for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c); do
 	case $file in src/region/region.c | src/insert/sites.c | src/*/region_*) continue ;; esac

@@ -67,12 +67,12 @@ print 'is fx \$(c_area[1]*1.0/32) \$(f_cad[1])'
 print 'is fy \$(c_area[2]*1.0/32) \$(f_cad[2])'
 print 'is fz \$(c_area[3]*1.0/32) \$(f_cad[3])'"
 array() { awk -v name="$1" '$1 == name { for (n = $2 * $3; n > 0; n -= NF) { getline; print } }' "$2"; }
-array normal_stress_average words237.vtk >one && array 'f_cad[1]' rows237.vtk >two && same 'normal stress' one two
-array shear_stress_average words237.vtk >one && array 'f_cad[2]' rows237.vtk >two && same 'shear stress' one two
+array normal_stress_average words237.vtk >one; array 'f_cad[1]' rows237.vtk >two; same 'normal stress' one two
+array shear_stress_average words237.vtk >one; array 'f_cad[2]' rows237.vtk >two; same 'shear stress' one two
 array stress words237.vtk | tr -s ' ' '\n' | awk 'NF && ++n % 3 == 0' >one
-array 'f_cad[5]' rows237.vtk | tr -s ' ' '\n' | awk NF >two && same 'normal component' one two
+array 'f_cad[5]' rows237.vtk | tr -s ' ' '\n' | awk NF >two; same 'normal component' one two
 array 'f_cad[1]' corners237.vtk | tr -s ' ' '\n' | awk 'NF && ++n % 3 == 1' >two
-array normal_stress_average words237.vtk | tr -s ' ' '\n' | awk NF >one && same 'at the corners' one two
+array normal_stress_average words237.vtk | tr -s ' ' '\n' | awk NF >one; same 'at the corners' one two
 other="$start
 fix roof all mesh/surface file plate.stl type 2 move 0 0 0.4"
 rejects "$other
