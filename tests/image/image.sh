@@ -325,7 +325,7 @@ E
 "$TSIM" -in in.smooth -log none >out 2>&1
 report 'smooth meshes' $? out
 same 'edges of a cube' cube.ppm sharp.ppm
-! cmp -s cube.ppm round.ppm
+[ -s cube.ppm ] && [ -s round.ppm ] && ! cmp -s cube.ppm round.ppm
 report 'edges that are smoothed' $?
 for picture in sphere flat smooth; do tail -c +16 $picture.ppm | od -An -v -w3 -tu1 | awk '{ print $1 }' >$picture.red; done
 paste sphere.red flat.red smooth.red | awk '$1 > 0 && $2 > 0 && $3 > 0 { n++; flat += ($2 - $1)^2; smooth += ($3 - $1)^2 }
