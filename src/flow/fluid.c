@@ -16,6 +16,14 @@ static void release_vector(double *field[3])
 	}
 }
 
+void ts_face_velocity_release(struct ts_flow_face_velocity *velocity)
+{
+	for (int c = 0; c < 3; c++) {
+		ts_free(velocity->plane[c]);
+		velocity->plane[c] = NULL;
+	}
+}
+
 void ts_fluid_release(struct ts_fluid *fluid)
 {
 	double **const scalars[] = { &fluid->p, &fluid->void_fraction, &fluid->void_fraction_rate,
@@ -33,10 +41,7 @@ void ts_fluid_release(struct ts_fluid *fluid)
 	}
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
-			for (int c = 0; c < 3; c++) {
-				ts_free(fluid->face_velocity[d][side].plane[c]);
-				fluid->face_velocity[d][side].plane[c] = NULL;
-			}
+			ts_face_velocity_release(&fluid->face_velocity[d][side]);
 			ts_free(fluid->pressure[d][side].plane);
 			fluid->pressure[d][side].plane = NULL;
 		}

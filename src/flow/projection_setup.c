@@ -227,9 +227,9 @@ void ts_projection_release(struct ts_projection *p)
 		ts_grid_field_free(p->void_start[d]);
 		ts_grid_field_free(p->void_stage[d]);
 		ts_free(p->graded[d]);
-		for (int k = 0; k < 6; k++) {
-			ts_free(p->velocity_now[d][k / 3].plane[k % 3]);
-			ts_free(p->velocity_before[d][k / 3].plane[k % 3]);
+		for (int side = 0; side < 2; side++) {
+			ts_face_velocity_release(&p->velocity_now[d][side]);
+			ts_face_velocity_release(&p->velocity_before[d][side]);
 		}
 	}
 	ts_projection_release_pressure(p);
