@@ -16,7 +16,7 @@ static void release_vector(double *field[3])
 	}
 }
 
-void ts_face_velocity_release(struct ts_flow_face_velocity *velocity)
+void ts_fluid_face_velocity_release(struct ts_flow_face_velocity *velocity)
 {
 	for (int c = 0; c < 3; c++) {
 		ts_free(velocity->plane[c]);
@@ -41,7 +41,7 @@ void ts_fluid_release(struct ts_fluid *fluid)
 	}
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
-			ts_face_velocity_release(&fluid->face_velocity[d][side]);
+			ts_fluid_face_velocity_release(&fluid->face_velocity[d][side]);
 			ts_free(fluid->pressure[d][side].plane);
 			fluid->pressure[d][side].plane = NULL;
 		}

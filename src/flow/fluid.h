@@ -169,7 +169,7 @@ static inline double ts_flow_face_pressure_at(const struct ts_flow_face_pressure
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
 /* Frees the planes. */
-void ts_face_velocity_release(struct ts_flow_face_velocity *velocity);
+void ts_fluid_face_velocity_release(struct ts_flow_face_velocity *velocity);
 
 /* Sets a field to which particles add to zero. */
 void ts_fluid_clear(const struct ts_fluid *fluid, double *field);

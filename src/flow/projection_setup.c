@@ -228,8 +228,8 @@ void ts_projection_release(struct ts_projection *p)
 		ts_grid_field_free(p->void_stage[d]);
 		ts_free(p->graded[d]);
 		for (int side = 0; side < 2; side++) {
-			ts_face_velocity_release(&p->velocity_now[d][side]);
-			ts_face_velocity_release(&p->velocity_before[d][side]);
+			ts_fluid_face_velocity_release(&p->velocity_now[d][side]);
+			ts_fluid_face_velocity_release(&p->velocity_before[d][side]);
 		}
 	}
 	ts_projection_release_pressure(p);
