@@ -16,7 +16,7 @@
 /* A wait is long after LONG s. If others have had the processor for TAKEN s when it was offered, they compute: for the next
  * SHARED s no more is asked. */
 static const double LONG = 1e-3, TAKEN = 1e-4, SHARED = 2e-2;
-/* A nap is the longer the longer the wait has been, as each takes the system about 10 us: at the end of a wait it adds at most
+/* A nap is the longer the longer the wait has been, as each takes the system 10 to 40 us: at the end of a wait it adds at most
  * the PART of it, or NAP s. */
 static const double NAP = 3e-5, LONGEST_NAP = 1e-3, PART = 0.125;
 
