@@ -23,7 +23,7 @@ first heap 'angle of repose: ' 12 25
 first drum 'angle of the bed: ' 15 45
 first hopper 'flow rate: ' 40 80
 first bed 'mean temperature: ' 294 310
-awk '/^mean temperature/ { seen = 1; exit !($6 > $3 + 5) } END { if (!seen) exit 1 }' out
+awk '/^mean temperature/ { ok = ($6 > $3 + 5); exit } END { exit !ok }' out
 report 'the bed gets warmer' $? out
 for name in heap drum hopper bed; do
 	"$TSIM" -check -in in.$name >out 2>&1

@@ -13,8 +13,8 @@ awk -v quote="'" '
 			print what, FILENAME, substr(rest, RSTART + from, RLENGTH - from - (what == "link"))
 	}
 	FNR == 1 { block = 0 }
-	/^ *```/ { block = !block; next }
 	{ find(" " $0, "[^A-Za-z0-9_]doc/[a-z0-9-]+[.]md", "named", 1) }
+	/^ *```/ { block = !block; next }
 	block { next }
 	/^#+ / {
 		name = tolower($0)

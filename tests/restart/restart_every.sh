@@ -18,13 +18,17 @@ part() {
 }
 
 compare() { # STEP
-	local what
-	python3 -IS "$top_srcdir/tests/compare_parts.py" whole one two "$1" >compared
+	local file
+	python3 -IS "$top_srcdir/tests/compare_parts.py" whole one two >compared
 	report "$name: compared" $?
-	while IFS= read -r what; do
-		[[ $what == *': same' ]]
-		report "$name: $what" $?
+	while IFS= read -r file; do
+		[[ $file == *': same' ]]
+		report "$name: $file" $?
 	done <compared
+	same "$name: the state at the end" whole/end.restart two/end.restart
+	rows whole/log | grep -vE "^ +$1 " >expected
+	rows one/log two/log | grep -vE "^ +$1 " >found
+	same "$name: tables" expected found
 }
 
 # cut_at RUN STEPS: the deck in two
