@@ -129,7 +129,7 @@ report 'a box of grains' $? out
 awk -f reference.awk pairs.txt >reference
 tail -n 1 tensors.txt | paste -d ' ' - reference | awk '{ n = NF / 2
 	for (k = 1; k <= n; k++) if (!(($k - $(k + n))^2 < 1e-24) || $k == 0) { print "column", k, $k, $(k + n); bad = 1 }
-	seen = 1; exit bad || n != 37 } END { if (!seen) exit 1 }' >off
+	ok = !bad && n == 37 } END { exit !ok }' >off
 report 'sums of the definition' $? off
 cp tensors.txt one.txt
 "$TSIM" -in in.grains -log none -threads 3 >out 2>&1
@@ -148,7 +148,7 @@ pair_style spring/dashpot
 pair_coeff * * stiffness 2385 damping 0
 timestep 1e-4'
 printf '%s\n' "$chain" 'compute f all fabric radius contact force/normal' 'thermo_style custom step c_f[1] c_f[7]' 'run 0' >in.script
-"$TSIM" -in in.script -log none >out 2>&1 && awk '/Step/ { getline; seen = 1; exit !($2 > 0 && $3 ~ /nan/) } END { if (!seen) exit 1 }' out
+"$TSIM" -in in.script -log none >out 2>&1 && awk '/Step/ { getline; ok = ($2 > 0 && $3 ~ /nan/); exit } END { exit !ok }' out
 report 'a negative expansion' $? out
 rejects "$chain
 compute f all fabric radius contact type/include 1" 'needs two lists of types'

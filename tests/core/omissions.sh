@@ -326,7 +326,7 @@ while read -r line; do
 		;;
 	bound)
 		go "$a" without && go "$b" with && differ without with >difference &&
-			awk -v most="$bound" '{ seen = 1; exit !($1 <= most) } END { if (!seen) exit 1 }' difference
+			awk -v most="$bound" '{ ok = ($1 <= most); exit } END { exit !ok }' difference
 		report "$name: $a as $b to $bound" $? difference
 		;;
 	esac
@@ -337,7 +337,7 @@ done <proofs
 grep -q '^Nghost: [1-9]' told && awk 'NF == 10 && $8 != 0 { n++ } END { exit !(n > 8) }' d*.txt
 report 'there are images, and grains that touch' $? told
 
-"$TSIM" -log none -in in.turning >told 2>&1 && awk '/^spin/ { seen = 1; exit !($2 > 0.58 && $2 < 0.62) } END { if (!seen) exit 1 }' told
+"$TSIM" -log none -in in.turning >told 2>&1 && awk '/^spin/ { ok = ($2 > 0.58 && $2 < 0.62); exit } END { exit !ok }' told
 report 'the fluid turns a ball' $? told
 
 # all at once

@@ -76,7 +76,7 @@ report 'it is drilled in newtons and revolutions per minute' $? one
 report 'the rock carries the bit, each bond is accounted for' $? one
 # Teale: the energy is that of the weight and of the torque over the volume of the hole, here of 4.5 mm radius
 awk '/^MSE/ { A = 3.14159265 * 4.5 ^ 2
-	e = $3 / A + 2 * 3.14159265 * $7 * 1e3 / (A * $5); seen = 1; exit !(e > 0.999 * $9 && e < 1.001 * $9) } END { if (!seen) exit 1 }' one
+	e = $3 / A + 2 * 3.14159265 * $7 * 1e3 / (A * $5); ok = (e > 0.999 * $9 && e < 1.001 * $9); exit } END { exit !ok }' one
 report 'specific energy of weight, torque and depth per turn' $? one
 cp post/bit.txt first
 "$TSIM" -check -in in.drilling $granite >out 2>&1

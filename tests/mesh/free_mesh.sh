@@ -87,9 +87,9 @@ order() {
 		function size(x) { return x < 0 ? -x : x }
 		{
 			print "corner off by", far(0), far(5), far(10), "energy", $2, $7, $12
-			seen = 1; exit !(far(5) < 1e-3 && log(far(0) / far(5)) / log(2) > 1.8 &&
-				log(far(5) / far(10)) / log(2) > 1.8 && size($7) < 1e-4 && size($2) > 3 * size($7))
-		} END { if (!seen) exit 1 }'
+			ok = (far(5) < 1e-3 && log(far(0) / far(5)) / log(2) > 1.8 &&
+				log(far(5) / far(10)) / log(2) > 1.8 && size($7) < 1e-4 && size($2) > 3 * size($7)); exit
+		} END { exit !ok }'
 }
 order >order
 report 'order of the orientation and the energy of a top' $? order
@@ -203,7 +203,7 @@ for body in 0 1; do
 	report "sinks: $body" $? out
 	grep '^V ' out
 done >sunk
-paste -s -d ' ' sunk | awk '{ d = $5 / $2 - 1; f = $6 / $3 - 1; seen = 1; exit !($2 < -0.02 && d^2 < 0.03^2 && f^2 < 0.03^2) } END { if (!seen) exit 1 }'
+paste -s -d ' ' sunk | awk '{ d = $5 / $2 - 1; f = $6 / $3 - 1; ok = ($2 < -0.02 && d^2 < 0.03^2 && f^2 < 0.03^2); exit } END { exit !ok }'
 report 'a mesh sinks as a sphere' $? sunk
 
 # ---- wherever its image is, and its reference point

@@ -32,13 +32,13 @@ done
 # Outputs of in.looks read particles only, and checks of the time step need none of other ranks: contacts are gathered for the
 # end of the run.
 gathered() { awk '/all gathered/ { sub(/.*all gathered /, ""); print $1, $3 }' "$1"; }
-gathered ranks.2/looks/log | awk '{ seen = 1; exit !($1 > 100 && $2 == 1) } END { if (!seen) exit 1 }'
+gathered ranks.2/looks/log | awk '{ ok = ($1 > 100 && $2 == 1); exit } END { exit !ok }'
 report 'contacts are gathered at the end, where outputs do not read them' $? ranks.2/looks/log
 # Those of in.named do in 19 steps: in multiples of 60, 90, 100, 150 and 210.
-gathered ranks.2/named/log | awk '{ seen = 1; exit !($1 > 300 && $2 == 19) } END { if (!seen) exit 1 }'
+gathered ranks.2/named/log | awk '{ ok = ($1 > 300 && $2 == 19); exit } END { exit !ok }'
 report 'contacts are gathered where an output that is due reads them' $? ranks.2/named/log
 # Particles are inserted while they are divided: only outputs of the first run of in.feed, each 20 or 60 steps, and of in.rain need all.
-gathered ranks.2/feed/log | awk 'NR == 1 { seen = 1; exit !($1 <= 14) } END { if (!seen) exit 1 }' && gathered ranks.2/rain/log | awk '{ seen = 1; exit !($1 <= 4) } END { if (!seen) exit 1 }'
+gathered ranks.2/feed/log | awk 'NR == 1 { ok = ($1 <= 14); exit } END { exit !ok }' && gathered ranks.2/rain/log | awk '{ ok = ($1 <= 4); exit } END { exit !ok }'
 report 'nothing is gathered to insert particles' $? ranks.2/feed/log
 # The cloud of in.burst leaves the block of one rank: the box is cut again while the particles are divided.
 awk '/imbalance/ { most = $NF } / all gathered / { sub(/.*all gathered /, ""); listed = $3 } END { exit !(most < 1.4 && listed <= 1) }' ranks.2/burst/log

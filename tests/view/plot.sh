@@ -63,7 +63,7 @@ END
 report 'run' $? run
 draws 'log' 'log.tsim: log, 2 runs, 12 rows, 4 columns' log.tsim
 is 'lines of fix print are no rows' Step '0 200 0 200 100'
-awk '$1 == "Time" { seen = 1; exit !($3 == 0.02) } END { if (!seen) exit 1 }' out
+awk '$1 == "Time" { ok = ($3 == 0.02); exit } END { exit !ok }' out
 report 'last row' $?
 sed 's/^ *//' log.tsim >log.flush
 draws 'log whose rows begin without a blank' '2 runs' log.flush
