@@ -6,17 +6,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include <check.h>
-
+#include "asserts.h"
 #include "tsim.h"
-
-/* ck_assert for loops over very many numbers: ck_assert itself reports its line to the parent process each
- * time, which costs some microseconds. */
-#define deck_assert(condition)                                     \
-	do {                                                       \
-		if (!(condition))                                  \
-			ck_abort_msg("'%s' is false", #condition); \
-	} while (0)
 
 /* A simulation that has run the script; the test fails where the script does. */
 struct tsim *deck_open(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -2,11 +2,11 @@
 #ifndef TESTS_SCRIPT_CASE_H
 #define TESTS_SCRIPT_CASE_H
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "core/sim.h"
 #include "script/internal.h"
 #include "tsim.h"

@@ -373,6 +373,7 @@ unit_tests = \
 	tests/voxel/check_voxel \
 	tests/wall/check_wall_contacts
 libtests_a_SOURCES = \
+	tests/asserts.h \
 	tests/cloud.c \
 	tests/cloud.h \
 	tests/deck.c \

@@ -118,8 +118,8 @@ START_TEST(directions_have_the_right_mean)
 			const uint32_t w = ts_laws_turn(&laws, ts_cell_granule(1, 5, 0), v[k], r);
 			const struct ts_laws_velocity u = ts_laws_velocity_of(w);
 
-			deck_assert(!ts_laws_is_clipped(v[k]) &&
-				    ts_cell_speed(w) == abs(abs(v[k].x) > abs(v[k].y) ? v[k].x : v[k].y));
+			ck_assert(!ts_laws_is_clipped(v[k]) &&
+				  ts_cell_speed(w) == abs(abs(v[k].x) > abs(v[k].y) ? v[k].x : v[k].y));
 			sx += u.x / 65536.0;
 			sy += u.y / 65536.0;
 		}
@@ -186,7 +186,7 @@ START_TEST(path_of_one_granule)
 					x = (x + ts_cell_dx(d) + 7) % 7;
 					y += dy;
 				}
-				deck_assert(ts_cell_is_granule(l.cell[ts_automaton_at(&l, x, y)]));
+				ck_assert(ts_cell_is_granule(l.cell[ts_automaton_at(&l, x, y)]));
 			}
 			ck_assert(count.moved == 60 / every && count.due == count.moved &&
 				  count.collided == 0);
@@ -319,7 +319,7 @@ START_TEST(granules_are_kept)
 		for (int t = 1; t <= 300; t++) {
 			memcpy(before, l.cell, l.stride * 13 * sizeof *before);
 			ts_automaton_step(&l, &laws, (enum ts_automaton_order)order, 3, t, 1, &count);
-			deck_assert(count_granules(&l) == l.granules);
+			ck_assert(count_granules(&l) == l.granules);
 			for (int y = 0; y < l.ny; y++)
 				for (int x = 0; x < l.nx; x++) {
 					bool near = !ts_cell_is_granule(l.cell[ts_automaton_at(&l, x, y)]);
@@ -329,9 +329,9 @@ START_TEST(granules_are_kept)
 							before[ts_automaton_at(&l,
 									       (x + k % 3 - 1 + l.nx) % l.nx,
 									       y + k / 3 - 1)]);
-					deck_assert(near);
-					deck_assert(ts_cell_state(l.cell[ts_automaton_at(&l, x, y)]) !=
-						    TS_CELL_DUE);
+					ck_assert(near);
+					ck_assert(ts_cell_state(l.cell[ts_automaton_at(&l, x, y)]) !=
+						  TS_CELL_DUE);
 				}
 		}
 		ck_assert(count.moved > 0 && count.moved <= count.due && count.collided > 0);

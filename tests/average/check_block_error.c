@@ -1,9 +1,9 @@
 /* Standard errors of correlated samples by blocks, against those known of white noise and of an autoregressive
  * process. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "average/block_error.h"
 
 /* Uniform in [-sqrt(3), sqrt(3)): variance 1. */

@@ -1,9 +1,9 @@
 /* CRC-32 beside that of zlib. */
-#include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <zlib.h>
 
+#include "asserts.h"
 #include "base/crc32.h"
 
 enum { MOST = 1200 };

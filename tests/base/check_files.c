@@ -1,5 +1,4 @@
 /* The door to files, and what the kernel holds back behind it. */
-#include <check.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -8,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "asserts.h"
 #include "base/sandbox.h"
 
 static char root[] = "/tmp/check_files_XXXXXX";

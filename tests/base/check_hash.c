@@ -1,8 +1,8 @@
 /* Hashes of rows: independent of their order, changed by each of their bytes and by their numbers. */
-#include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/hash.h"
 
 enum { ROWS = 5, BYTES = 20 };

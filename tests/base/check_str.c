@@ -1,10 +1,10 @@
 /* Numbers from text, beside strtod. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/str.h"
 
 static uint64_t bits = 88172645463325252u;

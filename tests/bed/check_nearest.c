@@ -1,8 +1,8 @@
 /* The nearest neighbours of points, against all pairs. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "bed/nearest.h"
 #include "math/rng.h"
 #include "math/vec3.h"

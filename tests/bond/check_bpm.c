@@ -134,8 +134,7 @@ START_TEST(same_bits)
 	ck_assert_uint_gt(one->bonds->n, 20);
 	ck_assert_uint_eq(one->bonds->n, other->bonds->n);
 	for (size_t i = 0; i < one->particles->n; i++)
-		deck_assert(
-			!memcmp(one->particles->x[i], other->particles->x[i], sizeof one->particles->x[i]));
+		ck_assert(!memcmp(one->particles->x[i], other->particles->x[i], sizeof one->particles->x[i]));
 	tsim_close(one);
 	tsim_close(other);
 }

@@ -77,8 +77,8 @@ static void plain_sums(const struct tsim *sim, size_t i, double force[3], double
 		for (int c = 0; c < 3; c++) {
 			force[c] += side ? -load.force[c] : load.force[c];
 			torque[c] += load.torque[side][c];
-			deck_assert(load.force[c] == b->load[bond].force[c]);
-			deck_assert(load.torque[side][c] == b->load[bond].torque[side][c]);
+			ck_assert(load.force[c] == b->load[bond].force[c]);
+			ck_assert(load.torque[side][c] == b->load[bond].torque[side][c]);
 		}
 	}
 }
@@ -94,8 +94,8 @@ START_TEST(plain_loop)
 	for (size_t i = 0; i < p->n; i++) {
 		plain_sums(sim, i, force, torque);
 		for (int c = 0; c < 3; c++) {
-			deck_assert(p->f[i][c] == force[c]);
-			deck_assert(p->torque[i][c] == torque[c]);
+			ck_assert(p->f[i][c] == force[c]);
+			ck_assert(p->torque[i][c] == torque[c]);
 			most = fmax(most, fabs(torque[c]));
 		}
 	}
@@ -119,10 +119,10 @@ START_TEST(same_bits)
 	ck_assert_uint_gt(one->bonds->n, 100);
 	ck_assert_uint_eq(one->bonds->n, other->bonds->n);
 	for (size_t k = 0; k < one->bonds->n; k++)
-		deck_assert(!memcmp(&one->bonds->load[k], &other->bonds->load[k], sizeof *one->bonds->load));
+		ck_assert(!memcmp(&one->bonds->load[k], &other->bonds->load[k], sizeof *one->bonds->load));
 	for (size_t k = 0; _i && k < one->bonds->n; k++) {
 		cracked += one->bonds->damage[k].reached > 1;
-		deck_assert(one->bonds->damage[k].reached == other->bonds->damage[k].reached);
+		ck_assert(one->bonds->damage[k].reached == other->bonds->damage[k].reached);
 	}
 	ck_assert(!_i || cracked > 50);
 	q[0] = ts_orientation(one);
@@ -131,10 +131,9 @@ START_TEST(same_bits)
 	for (size_t i = 0; i < one->particles->n; i++) {
 		size_t j = (size_t)ts_identity_row(&map, one->particles->tag[i]);
 
-		deck_assert(!memcmp(one->particles->x[i], other->particles->x[j], 3 * sizeof(double)));
-		deck_assert(
-			!memcmp(one->particles->omega[i], other->particles->omega[j], 3 * sizeof(double)));
-		deck_assert(!memcmp(q[0][i], q[1][j], 4 * sizeof(double)));
+		ck_assert(!memcmp(one->particles->x[i], other->particles->x[j], 3 * sizeof(double)));
+		ck_assert(!memcmp(one->particles->omega[i], other->particles->omega[j], 3 * sizeof(double)));
+		ck_assert(!memcmp(q[0][i], q[1][j], 4 * sizeof(double)));
 	}
 	tsim_close(one);
 	tsim_close(other);

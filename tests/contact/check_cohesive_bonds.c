@@ -117,10 +117,9 @@ START_TEST(same_bits)
 	ck_assert_int_gt(one->bonds->created, one->bonds->broken + (int64_t)one->bonds->n - 1);
 	ck_assert_uint_eq(one->bonds->n, other->bonds->n);
 	for (size_t i = 0; i < one->particles->n; i++) {
-		deck_assert(
-			!memcmp(one->particles->x[i], other->particles->x[i], sizeof one->particles->x[i]));
-		deck_assert(!memcmp(one->particles->omega[i], other->particles->omega[i],
-				    sizeof one->particles->omega[i]));
+		ck_assert(!memcmp(one->particles->x[i], other->particles->x[i], sizeof one->particles->x[i]));
+		ck_assert(!memcmp(one->particles->omega[i], other->particles->omega[i],
+				  sizeof one->particles->omega[i]));
 	}
 	tsim_close(one);
 	tsim_close(other);

@@ -1,9 +1,9 @@
 /* Contact forces taken apart: the parts are the whole, the part of the normal spring is the slope of the
  * energy that it stores, and slip takes mu |F_n| times the way. For all laws, of pairs and at walls. */
-#include <check.h>
 #include <math.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "law/contact_parts.h"
 
 static const struct ts_granular_pair stuff = {

@@ -1,9 +1,9 @@
 /* Distances, their reciprocals and the roots of contacts have the bits of sqrt() and of a division. */
-#include <check.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "../deck.h"
 #include "contact/contact_roots.h"
 
@@ -68,7 +68,7 @@ static void add_square(double square)
 	x = ldexp(floor(ldexp(x, 20)), exponent - 20);
 	rest = square - x * x;
 	y = sqrt(rest);
-	deck_assert(x * x + y * y == square);
+	ck_assert(x * x + y * y == square);
 	add(x, y, 0);
 }
 

@@ -1,14 +1,15 @@
 /* The contract every style keeps, checked in a loop over the table of styles. */
-#include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "core/life.h"
 #include "core/unsupported_names.h"
 #include "library/tsim_tables.h"
 
-/* Names of the row being looked at, for messages. */
+/* Names of the row being looked at, for messages: a test looks at all styles, as a process of its own for each took more
+ * time than the looking. */
 static char here[256];
 
 static void at(const struct ts_style *style, const char *row)
@@ -24,10 +25,8 @@ static bool filled(const char *text)
 	return text && *text;
 }
 
-START_TEST(described)
+static void described(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
-
 	at(s, NULL);
 	EXPECT(filled(s->name), "no name");
 	EXPECT(s->kind > TS_KIND_SYSTEM && s->kind < TS_NKIND, "impossible kind");
@@ -47,16 +46,12 @@ START_TEST(described)
 	EXPECT(ts_style_find(&ts_tables, s->kind, s->name) == s,
 	       "not found by its name: is it twice in the table?");
 }
-END_TEST
 
-START_TEST(example_names_style)
+static void example_names_style(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
-
 	at(s, NULL);
 	EXPECT(strstr(s->example, s->name), "the example does not name the style");
 }
-END_TEST
 
 static void check_row(const struct ts_style *style, const struct ts_arg *row, bool in_mode)
 {
@@ -87,9 +82,8 @@ static size_t groups_of(const struct ts_style *style, const char *name)
 }
 
 /* Each argument is in one group of the manual page, and the groups have no other words. */
-START_TEST(groups)
+static void groups(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
 	size_t words = 0, rows = 0;
 	bool needed = false;
 
@@ -109,7 +103,6 @@ START_TEST(groups)
 	EXPECT(words == (s->groups ? rows : 0), "a group has a word that is no argument");
 	EXPECT(!s->groups || needed, "no group of words that everybody needs");
 }
-END_TEST
 
 static void check_rows(const struct ts_style *style, const struct ts_arg *rows, bool in_mode)
 {
@@ -135,17 +128,15 @@ static void check_rows(const struct ts_style *style, const struct ts_arg *rows, 
 	}
 }
 
-START_TEST(arguments)
+static void arguments(const struct ts_style *s)
 {
-	check_rows(ts_style_table[_i], ts_style_table[_i]->args, false);
+	check_rows(s, s->args, false);
 }
-END_TEST
 
 /* All defaults can be read and lie in their ranges: the parser that reads the user's words reads
  * them too. */
-START_TEST(defaults)
+static void defaults(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
 	struct tsim *sim = ts_sim_new(&ts_tables);
 	struct ts_arena arena = { 0 };
 	void *state = ts_alloc_aligned(1, s->state_size + 1);
@@ -158,11 +149,9 @@ START_TEST(defaults)
 	ts_free(state);
 	ts_sim_free(sim);
 }
-END_TEST
 
-START_TEST(values)
+static void values(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
 	unsigned shapes = 0;
 
 	for (const struct ts_value *v = s->values; v && v->name; v++) {
@@ -180,23 +169,18 @@ START_TEST(values)
 			EXPECT(filled(v->column_names[k]), "a column without name");
 	}
 }
-END_TEST
 
-START_TEST(saved_rows)
+static void saved_rows(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
-
 	for (const struct ts_saved *row = s->saved; row && row->type != TS_SAVED_END; row++) {
 		at(s, row->name);
 		EXPECT(row->offset < s->state_size, "lies outside the state");
 		EXPECT(row->count > 0, "saves nothing");
 	}
 }
-END_TEST
 
-START_TEST(manual_page)
+static void manual_page(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
 	const char *top = getenv("top_srcdir");
 	struct ts_str path = { 0 };
 	FILE *file;
@@ -211,7 +195,6 @@ START_TEST(manual_page)
 	fclose(file);
 	ts_str_release(&path);
 }
-END_TEST
 
 START_TEST(sorted)
 {
@@ -238,14 +221,11 @@ START_TEST(accelerated_variant)
 END_TEST
 
 /* A word said to be missing is. */
-START_TEST(not_known_as_missing)
+static void not_known_as_missing(const struct ts_style *s)
 {
-	const struct ts_style *s = ts_style_table[_i];
-
 	at(s, NULL);
 	EXPECT(!ts_unsupported_find(s->kind, s->name), "core/unsupported_names.c says tsim does not have it");
 }
-END_TEST
 
 START_TEST(missing_words)
 {
@@ -266,24 +246,26 @@ START_TEST(missing_words)
 }
 END_TEST
 
+static void (*const clauses[])(const struct ts_style *) = {
+	described,   example_names_style,  groups, arguments, defaults, values, saved_rows,
+	manual_page, not_known_as_missing,
+};
+
+START_TEST(each_style)
+{
+	for (const struct ts_style *const *s = ts_style_table; *s; s++)
+		clauses[_i](*s);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("styles");
 	TCase *each = tcase_create("each style"), *all = tcase_create("the table");
 	SRunner *runner;
-	int n = 0, failed;
+	int failed;
 
-	while (ts_style_table[n])
-		n++;
-	tcase_add_loop_test(each, described, 0, n);
-	tcase_add_loop_test(each, example_names_style, 0, n);
-	tcase_add_loop_test(each, groups, 0, n);
-	tcase_add_loop_test(each, arguments, 0, n);
-	tcase_add_loop_test(each, defaults, 0, n);
-	tcase_add_loop_test(each, values, 0, n);
-	tcase_add_loop_test(each, saved_rows, 0, n);
-	tcase_add_loop_test(each, manual_page, 0, n);
-	tcase_add_loop_test(each, not_known_as_missing, 0, n);
+	tcase_add_loop_test(each, each_style, 0, (int)(sizeof clauses / sizeof *clauses));
 	tcase_add_test(all, sorted);
 	tcase_add_test(all, missing_words);
 	tcase_add_test(all, accelerated_variant);

@@ -93,7 +93,7 @@ static bool place_of(const struct ts_stencil_batch *b, const struct ts_fluid *fl
 static void same_numbers(const double out[3][N], size_t k, const double alone[3])
 {
 	for (int c = 0; c < 3; c++)
-		deck_assert(memcmp(&out[c][k], &alone[c], sizeof *alone) == 0);
+		ck_assert(memcmp(&out[c][k], &alone[c], sizeof *alone) == 0);
 }
 
 START_TEST(halves)
@@ -111,12 +111,12 @@ START_TEST(halves)
 			struct ts_coupling_place at;
 			const bool inside = place_of(&b, &fluid, k, &at);
 
-			deck_assert(b.where[k] == ts_halves_find(&fluid.grid, x));
-			deck_assert(!(b.where[k] & TS_HALVES_ELSEWHERE) ==
-				    (inside && memcmp(x, at.x, sizeof x) == 0));
+			ck_assert(b.where[k] == ts_halves_find(&fluid.grid, x));
+			ck_assert(!(b.where[k] & TS_HALVES_ELSEWHERE) ==
+				  (inside && memcmp(x, at.x, sizeof x) == 0));
 			for (int d = 0; d < 3 && !(b.where[k] & TS_HALVES_ELSEWHERE); d++)
-				deck_assert(ts_halves_of(b.where[k], d) ==
-					    2 * at.cell[d] + (x[d] >= fluid.grid.centre[d][at.cell[d]]));
+				ck_assert(ts_halves_of(b.where[k], d) ==
+					  2 * at.cell[d] + (x[d] >= fluid.grid.centre[d][at.cell[d]]));
 		}
 	}
 	release_fluid(&fluid);
@@ -152,7 +152,7 @@ START_TEST(interpolations)
 			struct ts_coupling_place at;
 			const bool in = place_of(&b, &fluid, k, &at);
 
-			deck_assert(inside[0][k] == in && inside[1][k] == in && inside[2][k] == in);
+			ck_assert(inside[0][k] == in && inside[1][k] == in && inside[2][k] == in);
 			if (!in)
 				continue;
 			ninside++;
@@ -166,10 +166,10 @@ START_TEST(interpolations)
 			same_numbers((const double(*)[N])gradient, k, alone);
 			ts_fluid_velocity_in_cell(&fluid, at.x, at.cell, alone, fluid.u[2], &one);
 			same_numbers((const double(*)[N])u, k, alone);
-			deck_assert(memcmp(&value[k], &one, sizeof one) == 0);
+			ck_assert(memcmp(&value[k], &one, sizeof one) == 0);
 		}
 	}
-	deck_assert(ninside > ROUNDS * N / 3);
+	ck_assert(ninside > ROUNDS * N / 3);
 	release_fluid(&fluid);
 }
 END_TEST
@@ -225,13 +225,13 @@ START_TEST(reactions)
 		}
 		react_alone(&b, &fluid[1], &of, velocity[1]);
 		ts_stencil_batch_react(&b, &fluid[0], &of);
-		deck_assert(memcmp(velocity[0], velocity[1], sizeof velocity[0]) == 0);
+		ck_assert(memcmp(velocity[0], velocity[1], sizeof velocity[0]) == 0);
 	}
 	for (int c = 0; c < 3; c++) {
 		const size_t bytes = fluid[0].grid.size * sizeof(double);
 
-		deck_assert(memcmp(fluid[0].force[c], fluid[1].force[c], bytes) == 0);
-		deck_assert(memcmp(fluid[0].exchange[c], fluid[1].exchange[c], bytes) == 0);
+		ck_assert(memcmp(fluid[0].force[c], fluid[1].force[c], bytes) == 0);
+		ck_assert(memcmp(fluid[0].exchange[c], fluid[1].exchange[c], bytes) == 0);
 	}
 	release_fluid(&fluid[0]);
 	release_fluid(&fluid[1]);
@@ -272,7 +272,7 @@ START_TEST(volumes)
 		}
 		ts_volume_batch_add(&b, &fluid[0].grid, &how, fluid[0].force[0]);
 	}
-	deck_assert(memcmp(fluid[0].force[0], fluid[1].force[0], fluid[0].grid.size * sizeof(double)) == 0);
+	ck_assert(memcmp(fluid[0].force[0], fluid[1].force[0], fluid[0].grid.size * sizeof(double)) == 0);
 	release_fluid(&fluid[0]);
 	release_fluid(&fluid[1]);
 }
@@ -290,8 +290,8 @@ START_TEST(edges_of_a_ball)
 	}
 	ts_ball_edges_find(&edges, n * n);
 	for (size_t k = 0; k < n * n; k++) {
-		deck_assert(2 * edges.volume[k] == ts_ball_corner(edges.a[k], edges.b[k], -1.3));
-		deck_assert(ts_ball_cap(edges.a[k]) == ts_ball_corner(-1.3, edges.a[k], -1.3));
+		ck_assert(2 * edges.volume[k] == ts_ball_corner(edges.a[k], edges.b[k], -1.3));
+		ck_assert(ts_ball_cap(edges.a[k]) == ts_ball_corner(-1.3, edges.a[k], -1.3));
 	}
 }
 END_TEST

@@ -74,9 +74,9 @@ START_TEST(corners_at_once)
 			ts_ball_corners(a, cuts, out);
 			for (int c = 0; c < 8; c++)
 				if ((c & set) == c)
-					deck_assert(out[c] == ts_ball_corner(c & 1 ? a[0] : -1.3,
-									     c & 2 ? a[1] : -1,
-									     c & 4 ? a[2] : -2));
+					ck_assert(out[c] == ts_ball_corner(c & 1 ? a[0] : -1.3,
+									   c & 2 ? a[1] : -1,
+									   c & 4 ? a[2] : -2));
 		}
 	}
 }

@@ -1,10 +1,10 @@
 /* Laws of drag and lift by themselves: the exchange of a bed against the formulae as they are printed,
  * pressure drops and velocities known otherwise, measurements, limits. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "law/drag.h"
 #include "law/lift.h"
 

@@ -4,11 +4,11 @@
  * Hertzian springs of slip are the exception: their stiffness grows with the overlap, so slip that is
  * stored early comes back stiffer (D. Elata, J. G. Berryman, Mech. Mater. 24 (1996) 229). Where nothing
  * else dissipates, that is a gain of a few thousandths. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "law/granular_force.h"
 
 enum { IMPACTS = 16, STEPS = 100000 };

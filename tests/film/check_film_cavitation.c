@@ -308,7 +308,7 @@ START_TEST(conditions_compared)
 		load[c] = m.load;
 		ck_assert((f.report.cavitated > 0) == (c != TS_FILM_NONE));
 		for (size_t k = 0; k < ts_film_cells(&f); k++)
-			deck_assert(c == TS_FILM_NONE || f.p[k] >= -1e-12);
+			ck_assert(c == TS_FILM_NONE || f.p[k] >= -1e-12);
 		if (c != TS_FILM_HALF) /* what leaves is what the cavity makes */
 			DECK_NEAR(film_outflow(&m), f.report.imbalance, 1e-12);
 		ck_assert((f.report.imbalance > 0.01) == (c == TS_FILM_HALF || c == TS_FILM_REYNOLDS));
@@ -345,8 +345,8 @@ START_TEST(rough_gap)
 		ck_assert(f.report.balance < 1e-9 * f.report.throughput);
 		DECK_NEAR(film_outflow(&m), 0, 1e-8 * f.report.throughput * 40);
 		for (int c = 0; c < 1600; c++) {
-			deck_assert(f.p[c] >= 0 && f.empty[c] >= 0 && f.empty[c] < 1);
-			deck_assert(f.p[c] == 0 || f.empty[c] == 0);
+			ck_assert(f.p[c] >= 0 && f.empty[c] >= 0 && f.empty[c] < 1);
+			ck_assert(f.p[c] == 0 || f.empty[c] == 0);
 		}
 		ts_film_release(&f);
 	}

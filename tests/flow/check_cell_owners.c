@@ -1,7 +1,7 @@
 /* The box of cells of each rank has those whose centres are in its block; numbers of a part of the cells keep their order. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "coupling/cell_frame.h"
 #include "flow/cell_owners.h"
 #include "math/rng.h"

@@ -1,9 +1,9 @@
 /* Numbers out of the fields of a fluid: interpolation, energy, vorticity, fluxes, forces on faces; on a
  * graded grid with fields of which the answer is known. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "core/sim.h"
 #include "flow/flow_measures.h"
 #include "flow/flow_sampling.h"

@@ -1,8 +1,8 @@
 /* The search for points and for periodic images that are near, against all pairs and images. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "geom/box_images.h"
 #include "geom/pointhash.h"
 #include "math/rng.h"

@@ -1,8 +1,8 @@
 /* Sets of connected cells, against a flood fill cell by cell, on random grids in which bodies cover faces. */
-#include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/alloc.h"
 #include "immersed/connected_cells.h"
 

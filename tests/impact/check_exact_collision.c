@@ -1,10 +1,10 @@
 /* The collision of one sphere with a flat wall as a whole, against closed forms and against the same law in small steps.
  */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "../deck.h"
 #include "base/alloc.h"
 #include "law/granular_force.h"

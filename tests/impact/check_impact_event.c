@@ -1,7 +1,7 @@
 /* Speeds and angles of an impact: exact points, no approach, and input that is not a number. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "impact/impact_event.h"
 #include "math/constants.h"
 

@@ -1,8 +1,8 @@
 /* What insertion is made of: the generator, spreads of sizes, the search for overlaps. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "geom/spherehash.h"
 #include "insert/nozzle.h"
 #include "math/constants.h"

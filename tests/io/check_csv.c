@@ -1,5 +1,4 @@
 /* Cells of comma-separated values; tables that are begun, appended to, and cut off. */
-#include <check.h>
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -7,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "asserts.h"
 #include "core/life.h"
 #include "io/csv.h"
 #include "library/tsim_tables.h"

@@ -1,11 +1,11 @@
 /* Numbers as text, beside printf. */
-#include <check.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "io/decimal.h"
 
 static void same_as_printf(double value)

@@ -1,9 +1,9 @@
 /* HDF5 files that change as a whole: until a change is made the file has its old contents, for whoever opens it. */
-#include <check.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "io/h5file.h"
 
 #ifdef TS_WITH_HDF5

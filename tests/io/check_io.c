@@ -1,5 +1,4 @@
 /* Saved state, files written, formats. */
-#include <check.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <math.h>
@@ -9,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "asserts.h"
 #include "core/unclaimed_state.h"
 #include "core/life.h"
 #include "box/domain.h"

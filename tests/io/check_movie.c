@@ -1,12 +1,12 @@
 /* Movies: what is written to ffmpeg, and each way in which it can fail. A script stands for ffmpeg: it is the first on the
  * PATH. */
-#include <check.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "asserts.h"
 #include "core/life.h"
 #include "base/alloc.h"
 #include "io/movie.h"

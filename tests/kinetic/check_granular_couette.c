@@ -496,11 +496,11 @@ START_TEST(solutions_are_found_and_balance)
 		ts_couette_figures(&c, &g);
 		ts_couette_profile(&c, 11, p);
 		ck_assert_msg(g.imbalance < 2e-12, "case %d: %g", k, g.imbalance);
-		deck_assert(fabs(c.node[c.n][2] / (c.solids * c.gap) - 1) < 1e-12);
-		deck_assert(fabs(p[0][1] + g.slip[0] - g.speed) < 1e-12 * g.speed);
+		ck_assert(fabs(c.node[c.n][2] / (c.solids * c.gap) - 1) < 1e-12);
+		ck_assert(fabs(p[0][1] + g.slip[0] - g.speed) < 1e-12 * g.speed);
 		for (int i = 0; i <= 10; i++) { /* symmetric */
-			deck_assert(fabs(p[i][0] / p[10 - i][0] - 1) < 1e-9);
-			deck_assert(fabs(p[i][1] + p[10 - i][1] - g.speed) < 1e-9 * g.speed);
+			ck_assert(fabs(p[i][0] / p[10 - i][0] - 1) < 1e-9);
+			ck_assert(fabs(p[i][1] + p[10 - i][1] - g.speed) < 1e-9 * g.speed);
 		}
 		ts_couette_release(&c);
 	}

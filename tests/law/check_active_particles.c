@@ -1,8 +1,8 @@
 /* Active particles in polishing: the numbers that follow from the inputs of the published comparison (625 um^2, radius
  * 0.272 um, standard deviation of the diameters 0.086 um, 4 % by volume, hardness 5 MPa and 2 GPa), and limits. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "law/active_particles.h"
 
 #define assert_near(a, b, relative) ck_assert_double_eq_tol(a, b, (relative)*fabs((double)(b)))

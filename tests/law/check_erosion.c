@@ -1,7 +1,7 @@
 /* Laws of erosion and wear: closed forms at exact points, limits, continuity, and input that makes no sense. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "law/archard.h"
 #include "law/erosion_bitter.h"
 #include "law/erosion_finnie.h"

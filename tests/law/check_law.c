@@ -1,10 +1,10 @@
 /* Contact laws by themselves: closed forms with uneven numbers, exchange of the partners, the wall as
  * limit of a large partner, restitution, and energy that never grows. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "law/granular_force.h"
 #include "law/impact.h"
 

@@ -1,10 +1,10 @@
 /* Laws in stages give what they give for one contact after the other, bit for bit: all combinations of
  * laws, between particles and at walls. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "contact/contact_loop.h"
 #include "contact/law_stages.h"
 #include "wall/wall_stages.h"

@@ -1,7 +1,7 @@
 /* Lubrication: published resistance functions, rigid motion, conservation, and the bound of the rates. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "law/lubrication.h"
 
 #define assert_near(a, b, relative) ck_assert_double_eq_tol(a, b, (relative)*fabs((double)(b)))

@@ -1,7 +1,7 @@
 /* The law of wear: closed forms, and that its two branches meet. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "law/contact_wear.h"
 
 START_TEST(branches_meet)

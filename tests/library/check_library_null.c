@@ -1,10 +1,10 @@
 /* Every function of tsim.h with NULL for each of its pointers, and for all of them: it tells or
  * does nothing, and never crashes. A function without a row here fails. */
-#include <check.h>
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "deck.h"
 #include "tsim.h"
 

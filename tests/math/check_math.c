@@ -1,9 +1,9 @@
 /* Random numbers, exact sums, vectors, sorted keys. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/sort.h"
 #include "math/exactsum.h"
 #include "math/rng.h"

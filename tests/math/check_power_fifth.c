@@ -1,8 +1,8 @@
 /* The power of 0.2 beside products in extended precision. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "math/power_fifth.h"
 #include "math/rng.h"
 

@@ -1,7 +1,7 @@
 /* Steps of the scheme of Prince and Dormand: orders of the state and of the error estimate, coefficients. */
-#include <check.h>
 #include <math.h>
 
+#include "asserts.h"
 #include "../deck.h"
 #include "math/prince_dormand.h"
 

@@ -1,8 +1,8 @@
 /* Triangle meshes: shapes and how triangles hang together. */
-#include <check.h>
 #include <math.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/alloc.h"
 #include "math/vec3.h"
 #include "mesh/mesh_distance.h"

@@ -1,9 +1,9 @@
 /* Each illness of a mesh is found, where it is and nowhere else. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/alloc.h"
 #include "mesh/mesh_doctor.h"
 

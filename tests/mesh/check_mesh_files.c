@@ -1,5 +1,4 @@
 /* Readers of mesh files: what programs really write, and what is broken. */
-#include <check.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -7,6 +6,7 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "asserts.h"
 #include "base/status.h"
 #include "base/str.h"
 #include "mesh/mesh_read.h"

@@ -1,8 +1,8 @@
 /* Surfaces of triangles that recede by given volumes: geometry, account of the volume, and what is refused. */
-#include <check.h>
 #include <math.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/alloc.h"
 #include "math/constants.h"
 #include "math/vec3.h"

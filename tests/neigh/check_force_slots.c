@@ -59,18 +59,18 @@ static void add_chunk(const struct watch *w, size_t c)
 			size_t r = g->entry[k] >> 1, slot = ts_contact_slot(rows, r);
 
 			if (!w->waiting[r]) { /* far */
-				deck_assert(!ts_contact_touches(rows, r));
+				ck_assert(!ts_contact_touches(rows, r));
 				continue;
 			}
-			deck_assert(w->place[slot] != 0); /* nobody has written over it */
-			deck_assert(rows->active[w->place[slot] - 1].row == r);
+			ck_assert(w->place[slot] != 0); /* nobody has written over it */
+			ck_assert(rows->active[w->place[slot] - 1].row == r);
 			if (ts_contact_touches(rows, r))
-				deck_assert(ts_touching_sums_entry(rows, i, n++) ==
-					    2 * slot + (g->entry[k] & 1));
+				ck_assert(ts_touching_sums_entry(rows, i, n++) ==
+					  2 * slot + (g->entry[k] & 1));
 			if (!--w->waiting[r])
 				w->place[slot] = 0;
 		}
-		deck_assert(rows->sums[i] == n);
+		ck_assert(rows->sums[i] == n);
 	}
 }
 
@@ -88,8 +88,8 @@ static void follow(const struct watch *w, size_t share)
 		for (size_t k = block->first; k < end; k++) {
 			const struct ts_active_pair *near = &rows->active[k];
 
-			deck_assert(near->slot * (size_t)rows->parts < rows->result_capacity);
-			deck_assert(w->place[near->slot] == 0);
+			ck_assert(near->slot * (size_t)rows->parts < rows->result_capacity);
+			ck_assert(w->place[near->slot] == 0);
 			w->place[near->slot] = k + 1;
 			w->waiting[near->row] = (uint8_t)(1 + ((size_t)near->j < rows->particles));
 		}
@@ -114,12 +114,12 @@ static void check_slots(struct tsim *sim)
 	for (size_t k = rows->span[0].active; k < rows->span[0].active_end; k++)
 		most = rows->active[k].slot >= most ? rows->active[k].slot + 1 : most;
 	if (rows->shares == 1)
-		deck_assert(most < rows->n / 2);
+		ck_assert(most < rows->n / 2);
 	for (int share = 0; share < rows->shares; share++)
 		follow(&w, (size_t)share);
 	/* what is left belongs to chunks whose rows are in the shares of several threads */
 	for (size_t r = 0; r < rows->n && rows->shares == 1; r++)
-		deck_assert(w.waiting[r] == 0);
+		ck_assert(w.waiting[r] == 0);
 	ts_free(w.place);
 	ts_free(w.waiting);
 }
@@ -148,17 +148,16 @@ static void sums_current(const struct ts_contact_list *rows)
 			uint32_t r = g->entry[k] >> 1;
 
 			if (ts_contact_touches(rows, r))
-				deck_assert(ts_touching_sums_entry(rows, i, n++) ==
-					    2 * ts_contact_slot(rows, r) + (g->entry[k] & 1));
+				ck_assert(ts_touching_sums_entry(rows, i, n++) ==
+					  2 * ts_contact_slot(rows, r) + (g->entry[k] & 1));
 		}
-		deck_assert(rows->sums[i] == n);
+		ck_assert(rows->sums[i] == n);
 		for (; n < TS_SUM_ROW; n++)
-			deck_assert(rows->sum[TS_SUM_ROW * i + n] == 2 * rows->zero_slot);
+			ck_assert(rows->sum[TS_SUM_ROW * i + n] == 2 * rows->zero_slot);
 	}
 	for (int part = 0; part < rows->parts; part++)
 		for (int c = 0; c < 4; c++)
-			deck_assert(rows->result[rows->zero_slot * (size_t)rows->parts + (size_t)part][c] ==
-				    0);
+			ck_assert(rows->result[rows->zero_slot * (size_t)rows->parts + (size_t)part][c] == 0);
 }
 
 /* Of rows that are not looked at none touches, though particles have moved since these were chosen. */
@@ -175,7 +174,7 @@ START_TEST(none_missed)
 			const double *a = sim->particles->x[rows->i[r]], *b = sim->particles->x[rows->j[r]];
 			double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
 
-			deck_assert(ts_contact_touches(rows, r) == (x * x + y * y + z * z < 0.072 * 0.072));
+			ck_assert(ts_contact_touches(rows, r) == (x * x + y * y + z * z < 0.072 * 0.072));
 		}
 		sums_current(rows);
 		for (int k = 0; k < rows->shares; k++)
@@ -236,7 +235,7 @@ static void begun_slots(const struct ts_contact_list *rows)
 
 		if (!ts_contact_touches(rows, r))
 			continue;
-		deck_assert(slot < *rows->next_slot && slot != rows->zero_slot && !used[slot]);
+		ck_assert(slot < *rows->next_slot && slot != rows->zero_slot && !used[slot]);
 		used[slot] = 1;
 		touching++;
 		begun += slot > rows->zero_slot;
@@ -263,14 +262,14 @@ START_TEST(kept_slots)
 		size_t slot = ts_contact_slot(rows, r), kept = ts_contact_kept(rows, r);
 
 		touching += ts_contact_touches(rows, r);
-		deck_assert(ts_contact_touches(rows, r) ? kept == slot && slot < rows->zero_slot
-							: kept == rows->zero_slot);
-		deck_assert(ts_contact_force(rows, kept)[0] == 0);
-		deck_assert(ts_contact_touches(rows, r) || slot == TS_PAIR_INACTIVE);
+		ck_assert(ts_contact_touches(rows, r) ? kept == slot && slot < rows->zero_slot
+						      : kept == rows->zero_slot);
+		ck_assert(ts_contact_force(rows, kept)[0] == 0);
+		ck_assert(ts_contact_touches(rows, r) || slot == TS_PAIR_INACTIVE);
 		if (slot == TS_PAIR_INACTIVE)
 			continue;
-		deck_assert(!used[slot]);
-		deck_assert((slot + 1) * (size_t)rows->parts <= rows->result_capacity);
+		ck_assert(!used[slot]);
+		ck_assert((slot + 1) * (size_t)rows->parts <= rows->result_capacity);
 		used[slot] = 1;
 	}
 	ck_assert_uint_gt(touching, 0);
@@ -292,16 +291,16 @@ START_TEST(history_entries)
 	for (size_t r = 0; r < rows->n; r++) {
 		touching += ts_contact_touches(rows, r);
 		memcpy(before + r * width, ts_contact_history(rows, r), width * sizeof *before);
-		deck_assert(ts_contact_touches(rows, r) != (ts_contact_history(rows, r) == rows->history));
-		deck_assert(ts_contact_touches(rows, r) || before[r * width] == 0);
+		ck_assert(ts_contact_touches(rows, r) != (ts_contact_history(rows, r) == rows->history));
+		ck_assert(ts_contact_touches(rows, r) || before[r * width] == 0);
 		slid += before[r * width] != 0;
 	}
 	ck_assert_uint_eq(ts_contacts_with_history(rows), touching);
 	ck_assert_uint_gt(slid, touching / 2);
 	ts_contacts_spread_history(rows);
 	for (size_t r = 0; r < rows->n; r++)
-		deck_assert(memcmp(before + r * width, ts_contact_history(rows, r), width * sizeof *before) ==
-			    0);
+		ck_assert(memcmp(before + r * width, ts_contact_history(rows, r), width * sizeof *before) ==
+			  0);
 	ts_free(before);
 	tsim_close(sim);
 }
@@ -317,7 +316,7 @@ START_TEST(cleared)
 	memset(block, 85, BYTES);
 	ts_alloc_clear(block + from[_i], to[_i] - from[_i]);
 	for (size_t k = 0; k < BYTES; k++)
-		deck_assert(block[k] == (k >= from[_i] && k < to[_i] ? 0 : 85));
+		ck_assert(block[k] == (k >= from[_i] && k < to[_i] ? 0 : 85));
 	ts_free(block);
 }
 END_TEST

@@ -1,7 +1,7 @@
 /* All pairs within a cutoff, against a search through all images. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "geom/pairs.h"
 #include "math/unionfind.h"
 

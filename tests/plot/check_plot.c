@@ -1,9 +1,9 @@
 /* Plots: ticks, ranges, values without a place, what is left of a million points, and SVG that is well-formed. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "deck.h"
 #include "math/rng.h"
 #include "plot/plot_raster.h"
@@ -283,7 +283,7 @@ START_TEST(thinning_keeps_extremes)
 			     at = l.bottom - ts_plot_scale_at(&l.y, y[k]) * (l.bottom - l.top);
 		const size_t column = (size_t)floor(2 * x);
 
-		deck_assert(at >= lowest[column] - 1e-9 && at <= highest[column] + 1e-9);
+		ck_assert(at >= lowest[column] - 1e-9 && at <= highest[column] + 1e-9);
 	}
 	DECK_NEAR(top, l.bottom - ts_plot_scale_at(&l.y, 5) * (l.bottom - l.top), 1e-9);
 	ts_free(lowest);

@@ -1,10 +1,10 @@
 /* Solvers for the pressure: each against the operator itself, for all conditions at boundaries. */
-#include <check.h>
 #include <gsl/gsl_fft_complex.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "core/life.h"
 #include "library/tsim_tables.h"
 #include "math/rng.h"

@@ -1,5 +1,4 @@
 /* -crosscheck: outputs of two programs read, paired and compared. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "asserts.h"
 #include "crosscheck/difference_report.h"
 #include "core/life.h"
 #include "crosscheck/inputs.h"

@@ -1,9 +1,9 @@
 /* Blocks of ranks: which are chosen, whose a point is, and which it is near. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "math/rng.h"
 #include "rank/blocks.h"
 

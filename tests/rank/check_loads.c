@@ -1,9 +1,9 @@
 /* Loads of ranks: the imbalance, cuts that are shifted, and recursive bisection. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "math/rng.h"
 #include "rank/loads.h"
 

@@ -1,7 +1,7 @@
 /* How ranks wait: the policy, and that a passive rank sleeps. */
-#include <check.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "base/clock.h"
 #include "rank/waiting.h"
 

@@ -1,9 +1,9 @@
 /* Pictures: which samples a surface covers, which surface is seen, colours, threads. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "math/rng.h"
 #include "render/colour_map.h"
 #include "render/picture.h"

@@ -1,8 +1,8 @@
 /* Rows of a report: every peak remains however many rows are merged, in the order in which they came. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "report/rows.h"
 
 #include "deck.h"
@@ -17,7 +17,7 @@ START_TEST(few_rows_are_kept_as_they_are)
 		ts_rows_add(&rows, k, (const double[]){ sin(k), 7 });
 	ck_assert_uint_eq(ts_rows_curve(&rows, 0, x, y), 100);
 	for (int k = 0; k < 100; k++)
-		deck_assert(x[k] == k && y[k] == sin(k));
+		ck_assert(x[k] == k && y[k] == sin(k));
 	ck_assert(!ts_rows_is_constant(&rows, 0) && ts_rows_is_constant(&rows, 1));
 	ts_rows_release(&rows);
 }
@@ -37,7 +37,7 @@ START_TEST(peaks_remain)
 	ck_assert(n > TS_ROWS_MOST / 2 && n <= 2 * TS_ROWS_MOST);
 	ck_assert_int_eq(rows.count, N);
 	for (size_t k = 0; k < n; k++) {
-		deck_assert(k == 0 || x[k] >= x[k - 1]);
+		ck_assert(k == 0 || x[k] >= x[k - 1]);
 		peak = y[k] == 5 ? k : peak;
 		dip = y[k] == -5 ? k : dip;
 	}

@@ -1,8 +1,8 @@
 /* Sections of restart files that no run writes: refused before their bytes are taken for numbers. */
-#include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "restart/sieve.h"
 
 static enum ts_status begin(const struct ts_archive_taker *t, const char *name, uint32_t type, uint64_t count)

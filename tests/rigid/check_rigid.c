@@ -1,10 +1,10 @@
 /* The turning of rigid bodies, against the exact motion of a free top. */
-#include <check.h>
 #include <gsl/gsl_sf_elljac.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "math/rigid_turn.h"
 
 static const double inertia[3] = { 1.1, 1.7, 2.385 };

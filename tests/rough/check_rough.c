@@ -124,11 +124,11 @@ static void is_contact(const struct scene *s, double roughness)
 		double p = s->result.pressure[k], gap = s->result.gap[k];
 
 		sum += p;
-		deck_assert(p >= 0 && p <= s->problem.hardness);
-		deck_assert(p > 0 || gap >= -s->problem.tolerance * roughness);
-		deck_assert(p <= 0 || gap <= s->problem.tolerance * roughness);
-		deck_assert(p <= 0 || p >= s->problem.hardness ||
-			    fabs(gap) <= s->problem.tolerance * roughness);
+		ck_assert(p >= 0 && p <= s->problem.hardness);
+		ck_assert(p > 0 || gap >= -s->problem.tolerance * roughness);
+		ck_assert(p <= 0 || gap <= s->problem.tolerance * roughness);
+		ck_assert(p <= 0 || p >= s->problem.hardness ||
+			  fabs(gap) <= s->problem.tolerance * roughness);
 	}
 	DECK_NEAR(sum / (double)cells_of(s) / s->problem.mean_pressure, 1, 1e-12);
 }

@@ -1,10 +1,10 @@
 /* Shapes given by their sizes: areas and volumes against exact ones and the order at which they converge, closed and
  * consistently oriented surfaces, places and directions, and what is refused. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/alloc.h"
 #include "deck.h"
 #include "math/constants.h"
@@ -253,8 +253,8 @@ START_TEST(places)
 		other = make(sim[1], words[turn], &rim);
 		ck_assert_uint_eq(other->n, up->n);
 		for (size_t k = 0; k < 9 * up->n; k++)
-			deck_assert(other->x[k / 9][k / 3 % 3][k % 3] ==
-				    up->x[k / 9][k / 3 % 3][(k + 3 - turn) % 3]);
+			ck_assert(other->x[k / 9][k / 3 % 3][k % 3] ==
+				  up->x[k / 9][k / 3 % 3][(k + 3 - turn) % 3]);
 	}
 	tsim_close(sim[0]);
 	tsim_close(sim[1]);
@@ -277,7 +277,7 @@ START_TEST(chords)
 
 		ts_sub(a, base, arm);
 		ts_axpy(-ts_dot(arm, axis), axis, arm);
-		deck_assert(fabs(ts_norm(arm) - 0.7) < 1e-14);
+		ck_assert(fabs(ts_norm(arm) - 0.7) < 1e-14);
 		ts_add(a, b, middle);
 		ts_scale(0.5, middle, middle);
 		ts_sub(middle, base, arm);
@@ -292,7 +292,7 @@ START_TEST(chords)
 	ck_assert(farthest < 1.02e-3 && farthest > 0.8e-3);
 	m = make(sim, "screw radius 0.7 shaft 0.2 pitch 1 turns 2 thickness 0.1 size 0.08", &rim);
 	for (size_t k = 0; k < 3 * m->n; k++)
-		deck_assert(m->length[k / 3][k % 3] < 0.08 * 1.7);
+		ck_assert(m->length[k / 3][k % 3] < 0.08 * 1.7);
 	tsim_close(sim);
 }
 END_TEST

@@ -1,10 +1,10 @@
 /* Tables from files: every allocation may fail, many rows, and what is no table. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "asserts.h"
 #include "deck.h"
 #include "sheet/sheet_read.h"
 

@@ -2,12 +2,12 @@
  * beside theory (D. M. Young, Trans. AMS 76 (1954) 92; W. Kahan, 1958).
  *
  * TS_TABLE=FILE appends what is measured. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "math/rng.h"
 #include "poisson/relaxation.h"
 

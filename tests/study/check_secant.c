@@ -1,8 +1,8 @@
 /* Matrices of secants and steps: exact for linear functions, bounds, ranks. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "asserts.h"
 #include "study/secant.h"
 
 /* f = J x */

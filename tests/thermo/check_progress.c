@@ -1,10 +1,10 @@
 /* The text of the progress line; when a log shows it. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "asserts.h"
 #include "base/log.h"
 #include "thermo/progress.h"
 

@@ -123,7 +123,7 @@ static void compare_at(const struct ts_voxel_field *f, const double c[3], double
 	size_t m = ts_voxel_contacts(f, c, reach, contact, MOST);
 	double least = INFINITY;
 
-	deck_assert(m == n);
+	ck_assert(m == n);
 	for (size_t k = 0; k < n; k++) {
 		bool found = false;
 
@@ -134,11 +134,11 @@ static void compare_at(const struct ts_voxel_field *f, const double c[3], double
 			found = fabs(contact[a].distance - minimum[k].distance) < 1e-15 &&
 				ts_distance2(p, minimum[k].p) < 1e-28;
 		}
-		deck_assert(found);
+		ck_assert(found);
 		least = fmin(least, minimum[k].distance);
 	}
-	deck_assert(n ? fabs(ts_voxel_distance(f, c, reach) - least) < 1e-15
-		      : isinf(ts_voxel_distance(f, c, reach)));
+	ck_assert(n ? fabs(ts_voxel_distance(f, c, reach) - least) < 1e-15
+		    : isinf(ts_voxel_distance(f, c, reach)));
 	*total += n;
 }
 
@@ -198,11 +198,11 @@ START_TEST(flat_field_has_no_seams)
 				x[1] = ts_voxel_border(&f, 0, (int64_t)u);
 			if (k % 3)
 				x[2] = ts_voxel_border(&f, 1, (int64_t)v);
-			deck_assert(ts_voxel_contacts(&f, x, 2e-6, contact, 2) == 1);
-			deck_assert(contact[0].distance == x[0] - 0.3);
-			deck_assert(contact[0].n[0] == 1 && contact[0].n[1] == 0 && contact[0].n[2] == 0);
-			deck_assert(contact[0].column[0] == ts_voxel_index(&f, 0, x[1]));
-			deck_assert(contact[0].column[1] == ts_voxel_index(&f, 1, x[2]));
+			ck_assert(ts_voxel_contacts(&f, x, 2e-6, contact, 2) == 1);
+			ck_assert(contact[0].distance == x[0] - 0.3);
+			ck_assert(contact[0].n[0] == 1 && contact[0].n[1] == 0 && contact[0].n[2] == 0);
+			ck_assert(contact[0].column[0] == ts_voxel_index(&f, 0, x[1]));
+			ck_assert(contact[0].column[1] == ts_voxel_index(&f, 1, x[2]));
 		}
 		ts_voxel_field_release(&f);
 	}
@@ -257,15 +257,15 @@ static void check_distance(const struct ts_voxel_field *f, const struct ts_voxel
 	struct ts_voxel_distance found;
 	bool near = ts_voxel_signed_distance(f, space, c, reach, &found);
 
-	deck_assert(near == (fmax(out, in) < reach));
+	ck_assert(near == (fmax(out, in) < reach));
 	if (out > 0 || in > 0)
-		deck_assert(ts_voxel_inside(f, c) == (in > out));
+		ck_assert(ts_voxel_inside(f, c) == (in > out));
 	if (!near)
 		return;
 	DECK_NEAR(found.distance, out > 0 ? out : -in, 1e-15);
 	DECK_NEAR(ts_norm(found.n), 1, 1e-15);
 	ts_axpy(-found.distance, found.n, p);
-	deck_assert(is_ahead(f, p, found.n, 1e-9, true) && is_ahead(f, p, found.n, -1e-9, false));
+	ck_assert(is_ahead(f, p, found.n, 1e-9, true) && is_ahead(f, p, found.n, -1e-9, false));
 	count[out > 0 ? 0 : in > 0 ? 1 : 2]++;
 }
 
@@ -305,9 +305,9 @@ START_TEST(columns_contain_their_lower_border)
 	for (int64_t i = -2000; i < 2000; i++) {
 		double x = ts_voxel_border(&f, 0, i);
 
-		deck_assert(ts_voxel_index(&f, 0, x) == i);
-		deck_assert(ts_voxel_index(&f, 0, nextafter(x, -INFINITY)) == i - 1);
-		deck_assert(ts_voxel_index(&f, 0, nextafter(x, INFINITY)) == i);
+		ck_assert(ts_voxel_index(&f, 0, x) == i);
+		ck_assert(ts_voxel_index(&f, 0, nextafter(x, -INFINITY)) == i - 1);
+		ck_assert(ts_voxel_index(&f, 0, nextafter(x, INFINITY)) == i);
 	}
 	ck_assert(ts_voxel_index(&f, 0, 1e300) > INT64_C(1000000000000));
 	ck_assert(ts_voxel_index(&f, 0, -1e300) < -INT64_C(1000000000000));
@@ -336,7 +336,7 @@ START_TEST(maxima_follow_changes)
 	ck_assert_int_eq(f.nlevels, 5);
 	for (int l = 0; l < f.nlevels; l++)
 		for (int64_t k = 0; k < f.level[l].n[0] * f.level[l].n[1]; k++)
-			deck_assert(f.level[l].top[k] == whole.level[l].top[k]);
+			ck_assert(f.level[l].top[k] == whole.level[l].top[k]);
 	ts_voxel_field_release(&f);
 	ts_voxel_field_release(&whole);
 }
@@ -429,7 +429,7 @@ START_TEST(surface_has_its_statistics)
 
 	ck_assert(ts_voxel_gaussian(&g, h) == TS_OK && ts_voxel_gaussian(&g, again) == TS_OK);
 	for (int k = 0; k < 512 * 384; k++)
-		deck_assert(h[k] == again[k]);
+		ck_assert(h[k] == again[k]);
 	s = measure(&g, h);
 	DECK_NEAR((s.mean - 3e-3) / 7e-6, 0,
 		  3 * sqrt(3.15 / spots)); /* integral of the covariance: pi l_x l_y */

@@ -41,9 +41,9 @@ START_TEST(next_list)
 		room_is_small(c.last_capacity, N);
 		room_is_small(c.memory_capacity, N * WIDTH);
 		for (size_t k = 0; k < N; k++) {
-			deck_assert(c.row[k] == (int32_t)(turn % 2 == 0 ? N - 1 - k : k));
-			deck_assert(ts_wall_memory(&c, k)[1] == 1 + (double)c.row[k]);
-			deck_assert(c.force[k][0] == 0 && ts_wall_memory(&c, k)[0] == 0);
+			ck_assert(c.row[k] == (int32_t)(turn % 2 == 0 ? N - 1 - k : k));
+			ck_assert(ts_wall_memory(&c, k)[1] == 1 + (double)c.row[k]);
+			ck_assert(c.force[k][0] == 0 && ts_wall_memory(&c, k)[0] == 0);
 		}
 	}
 	ts_wall_contacts_release(&c);
