@@ -48,6 +48,10 @@
 #      18    manual/book.sh                 manual/links.sh
 #      14    manual/first_hour.sh           mesh/mesh_primitive.sh
 #       4    coupling/momentum.sh           coupling/check_coupling
+#      13    thermo/progress.sh             thermo/check_progress
+#       8    manual/search.sh               manual/page_order.sh
+#      10    report/browser.sh              report/report.sh
+#       9    study/sweep.sh                 study/calibrate.sh, study/check_secant
 long_tests = \
 	tests/fuzz/fuzz.sh \
 	tests/rank/contract_ranks.sh \
@@ -114,4 +118,8 @@ slow_tests = \
 	tests/restart/restart.sh \
 	tests/restart/restart_every.sh \
 	tests/program/sandbox.sh \
-	tests/program/signal.sh
+	tests/program/signal.sh \
+	tests/thermo/progress.sh \
+	tests/manual/search.sh \
+	tests/report/browser.sh \
+	tests/study/sweep.sh

@@ -28,7 +28,7 @@ other() {
 	printf '%s\n' "create_atoms 2 single \$(0.725*v_l) \$($1*v_l) \$(0.5*v_l) units box" \
 		"set type 2 diameter \$(${2-0.02}*v_l) density 1000"
 }
-all_steps='run 1000
+all_steps='run 100
 print "went on at $(x[1]/v_l:%.6f) with $(vx[1]/v_l)"'
 goes() {
 	prints "$1
