@@ -112,14 +112,15 @@ delete_atoms group tip
 run 1
 set atom 4 z 0.003004
 run 0
-compute c all pair/gran/local/bond pos id force delta
-compute s all reduce sum c_c[3] c_c[7] c_c[8] c_c[12] c_c[13]
+compute c all pair/gran/local/bond pos id force delta contactPoint
+compute s all reduce sum c_c[3] c_c[7] c_c[8] c_c[12] c_c[13] c_c[16]
 run 0
 print "is z $(c_s[1]:%.12g) 0.003"
 print "is id $(c_s[2]) 6"
 print "is id $(c_s[3]) 9"
 print "is force $(c_s[4]:%.9g) $(1e9*PI*2.5e-7*4e-6:%.9g)"
-print "is delta $(c_s[5]*1e12:%.6g) -4000000"'
+print "is delta $(c_s[5]*1e12:%.6g) -4000000"
+print "is points $(c_s[6]:%.12g) 0.004502"'
 
 rejects() { # SCRIPT TEXT
 	printf 'include in.chain\n%s\npair_coeff * *\ninclude in.spheres\nrun 1\n' "$1" >in.script

@@ -38,18 +38,23 @@ compute only one wall/gran/local pos id force_normal force_tangential
 compute n all reduce sum c_c[4] c_c[5] c_c[6] c_c[8]
 compute ids all reduce max c_c[1] c_c[2] c_c[3]
 compute lowest all reduce min c_c[1]
+compute meshes all wall/gran/local id
+compute first all reduce min c_meshes[1]
+compute tq all property/atom tqy
+compute turning all reduce sum c_tq
 compute two all reduce max c_only[3] c_only[5] c_only[12]
 END
 cat >in.mesh <<'END'
 variable from index none
 include in.begin
 run 10
-thermo_style custom step c_n[1] c_n[2] c_n[3] c_n[4] c_ids[1] c_ids[2] c_ids[3] c_lowest c_two[1] c_two[2] c_two[3]
+thermo_style custom step c_n[1] c_n[2] c_n[3] c_n[4] c_ids[1] c_ids[2] c_ids[3] c_lowest c_first c_two[1] c_two[2] c_two[3]
 run 0
+print "is first $(c_first) 0"
 print "is fx $(c_n[1]) $(fx[1]+fx[2]+fx[3])"
 print "is fy $(c_n[2]) $(fy[1]+fy[2]+fy[3])"
 print "is fz $(c_n[3]) $(fz[1]+fz[2]+fz[3])"
-print "is torque $(c_n[4]) $(tqy[1]+tqy[2])"
+print "is torque $(c_n[4]) $(c_turning)"
 print "is mesh $(c_ids[1]) 0"
 print "is triangle $(c_ids[2]) 1"
 print "is particle $(c_ids[3]) 3"
@@ -57,7 +62,6 @@ print "is primitive $(c_lowest) -1"
 print "is point $(c_two[1]) 0.02"
 print "is normal $(c_two[3]) $(fz[1])"
 END
-sed -i 's/tqy\[/torquey[/g; /torquey/d' in.mesh
 agree 'contacts with walls' "$(cat in.mesh)"
 
 # a mesh may be called as a keyword is: n_meshes says how many names there are
