@@ -228,6 +228,25 @@ print "hard again $(fx[2]/2385:%.6f)"
 END
 says 'coefficients after the fix' 'softer 0.005000'
 says 'coefficients after the fix, reset' 'hard again 0.010000'
+
+# a number that is not the first one of its coefficients: the dashpot, where the spring is too soft to matter
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.3 0.6 0.3 units box
+create_atoms 1 single 0.4999999 0.6 0.3 units box
+set group all diameter 0.2 density 2385
+group second id 2
+velocity second set -3 0 0
+pair_style spring/dashpot
+pair_coeff * * stiffness 1e-6 damping 7
+fix n all nve
+timestep 1e-9
+variable more equal 2
+fix b all adapt 1 pair spring/dashpot damping * * v_more scale yes
+run 1
+print "dashpot $(fx[2]:%.5f)"
+END
+says 'the dashpot, scaled' 'dashpot 42.00000'
 cat >in.wrong <<'END'
 region box block 0 1 0 1 0 1
 create_box 2 box
