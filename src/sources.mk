@@ -962,6 +962,8 @@ library_sources = \
 	src/library/tsim_tables.h \
 	src/limits/fix_check_timestep_bond.c \
 	src/limits/fix_check_timestep_gran.c \
+	src/limits/ground.c \
+	src/limits/ground.h \
 	src/limits/lanczos.c \
 	src/limits/lanczos.h \
 	src/limits/limits_system.c \

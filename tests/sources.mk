@@ -163,6 +163,7 @@ shell_tests = \
 	tests/library/wheel.sh \
 	tests/limits/timestep.sh \
 	tests/limits/timestep_bonds.sh \
+	tests/limits/timestep_forces.sh \
 	tests/load/mesh_servo.sh \
 	tests/load/mesh_stress.sh \
 	tests/load/surface_heat.sh \

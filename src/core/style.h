@@ -127,6 +127,13 @@ enum ts_integrates {
 };
 
 /* What all styles have in common; first member of the tables of each kind. */
+/* Springs and dashpots between a particle and the ground, without those of contacts, divided by its mass. */
+struct ts_ground_springs {
+	double frequency2[3]; /* of the springs along x, y, z: squared angular frequency, 1/time^2 */
+	double rate, turning; /* of the dashpots of its motion and of its rotation, 1/time */
+	bool estimated;	      /* some of it is an upper bound */
+};
+
 struct ts_style {
 	const char *name;
 	enum ts_kind kind;
@@ -191,9 +198,10 @@ struct ts_style {
 	/* Appends limits of the time step and other lines to the report of the plan; see core/report.h.
 	 * Also called after steps of a run, and must not change anything then. */
 	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
-	/* Fixes: upper bound of the rate [1/time] at which its forces, other than those of contacts, slow down particle
-	 * i at its present place: for the limit of the step of contacts that are damped so. NULL: no such forces. */
-	double (*damping)(const struct ts_instance *self, const struct tsim *sim, size_t i);
+	/* Fixes: adds the springs and dashpots that it puts between particle i of its group and the ground: for the
+	 * limit of the step of all fixes, contacts and bonds together. NULL: there are none. */
+	void (*ground)(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum);
 	/* Fixes: takes `n` numbers of the outside program (tsim_external); `what` is a word of the fix. */
 	enum ts_status (*take)(struct ts_instance *self, struct tsim *sim, const char *what, double *value,
 			       size_t n);

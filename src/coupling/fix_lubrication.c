@@ -332,13 +332,16 @@ static void find_extremes(const struct ts_instance *self, const struct tsim *sim
 }
 
 /* Of the layers of particle i. */
-static double damping(const struct ts_instance *self, const struct tsim *sim, size_t i)
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
 {
 	struct task task = { sim, self->state, self->group, false, NULL, NULL };
 	struct sums sums;
 
 	sum_layers(&task, i, &sums);
-	return sums.rate;
+	sum->rate += sums.rate;
+	sum->turning += sums.rate;
+	sum->estimated = true;
 }
 
 /* The largest rate of one layer with the gap `inner`, between the particle and an equal one or a plane. */
@@ -514,7 +517,7 @@ const struct ts_style ts_fix_lubrication = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = list_pairs, [TS_STAGE_POST_FORCE] = add_forces },
-	.damping = damping,
+	.ground = add_ground,
 	.plan = plan,
 	.fini = fini,
 };

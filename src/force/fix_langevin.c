@@ -97,6 +97,14 @@ static enum ts_status add_langevin_force(struct ts_instance *self, struct tsim *
 	return TS_OK;
 }
 
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
+{
+	const struct state *s = self->state;
+
+	sum->rate += 1 / (s->damp * s->factor[sim->particles->type[i]]);
+}
+
 static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
@@ -151,5 +159,6 @@ const struct ts_style ts_fix_langevin = {
 	.state_size = sizeof(struct state),
 	.init = init,
 	.hook[TS_STAGE_POST_FORCE] = add_langevin_force,
+	.ground = add_ground,
 	.plan = report_limit,
 };

@@ -16,6 +16,7 @@ struct state {
 	double stiffness, rest;
 	struct ts_number at[3];	 /* NULL: no force in this direction */
 	double force[4], energy; /* saved; force on the group, and its magnitude, > 0 attractive */
+	double mass;		 /* as in the limit of the step, at the start of a run */
 };
 
 /* Distributes a force over a group in proportion to mass: all particles get the same acceleration. */
@@ -69,15 +70,43 @@ static enum ts_status add_spring_force(struct ts_instance *self, struct tsim *si
 	return TS_OK;
 }
 
-static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+/* Of the group, or the reduced mass of both groups; 0: empty. */
+static double oscillating_mass(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct state *s = self->state;
 	double mass = ts_group_mass(sim, self->group), other;
 
-	if (s->mode == COUPLE) {
-		other = ts_group_mass(sim, s->partner);
-		mass = mass * other / (mass + other);
-	}
+	if (s->mode == TETHER)
+		return mass;
+	other = ts_group_mass(sim, s->partner);
+	return mass + other > 0 ? mass * other / (mass + other) : 0;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	((struct state *)self->state)->mass = oscillating_mass(self, sim);
+	return TS_OK;
+}
+
+/* Where the group is more than the particle, an upper bound: the whole spring acts in its motion. */
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
+{
+	const struct state *s = self->state;
+
+	if (!(s->mass > 0))
+		return;
+	for (int k = 0; k < 3; k++)
+		if (!s->at[k].null)
+			sum->frequency2[k] += s->stiffness / s->mass;
+	sum->estimated |= s->mode == COUPLE || s->rest > 0 || s->mass != sim->particles->mass[i];
+}
+
+static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	double mass = oscillating_mass(self, sim);
+
 	if (!(mass > 0))
 		return TS_OK;
 	return ts_report_limit(report, 2 * sqrt(mass / s->stiffness), true, &self->where,
@@ -165,6 +194,8 @@ const struct ts_style ts_fix_spring = {
 	.saved = saved,
 	.values = values,
 	.energy = ts_energy_output,
+	.init = init,
 	.hook[TS_STAGE_POST_FORCE] = add_spring_force,
+	.ground = add_ground,
 	.plan = report_limit,
 };

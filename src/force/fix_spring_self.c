@@ -76,6 +76,16 @@ static enum ts_status add_spring_forces(struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
+{
+	const struct state *s = self->state;
+
+	for (int d = 0; d < 3; d++)
+		if (acts_in_direction(s, d))
+			sum->frequency2[d] += s->stiffness * sim->particles->imass[i];
+}
+
 static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
@@ -147,6 +157,7 @@ const struct ts_style ts_fix_spring_self = {
 		[TS_STAGE_POST_BUILD] = add_new_particles,
 		[TS_STAGE_POST_FORCE] = add_spring_forces,
 	},
+	.ground = add_ground,
 	.plan = report_limit,
 	.fini = fini,
 };

@@ -71,7 +71,8 @@ static void compute_forces(struct ts_lanczos *m, bool slip, double kk, double ck
 {
 	for (size_t i = 0; i < m->nbodies; i++)
 		for (int d = 0; d < 6; d++)
-			m->f[i][d] = ck * m->body[i].drag[d / 3] * m->u[i][d];
+			m->f[i][d] = (ck * m->body[i].drag[d / 3] + (d < 3 ? kk * m->body[i].spring[d] : 0)) *
+				     m->u[i][d];
 	for (size_t k = 0; k < m->nlinks; k++)
 		add_link(m, &m->link[k], slip, kk, ck);
 }

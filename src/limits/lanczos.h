@@ -27,8 +27,8 @@
 struct ts_lanczos_body {
 	double inverse_mass;
 	double inverse_inertia[3][3];
-	/* of a dashpot to the ground: force by velocity, torque by angular velocity */
-	double drag[2];
+	/* of springs to the ground along x, y, z: stiffness; of dashpots: force by velocity, torque by angular velocity */
+	double spring[3], drag[2];
 };
 
 enum { TS_LINK_NORMAL, TS_LINK_TANGENTIAL, TS_LINK_ROLLING, TS_LINK_TWISTING, TS_LINK_SPRINGS };

@@ -15,6 +15,7 @@
 #include "bond/bond_moment.h"
 #include "box/domain.h"
 #include "contact/limits.h"
+#include "limits/ground.h"
 #include "limits/lanczos.h"
 #include "math/rigid_turn.h"
 #include "particle/prescribed.h"
@@ -39,8 +40,8 @@ struct network {
 	int n;
 	/* bits of the groups that integrators move, and of those with prescribed motion */
 	uint32_t moving, prescribed;
-	bool rotates; /* particles rotate */
-	bool damped;  /* with the rates of the slot `damping` of fixes; else contacts and bonds alone */
+	bool rotates;  /* particles rotate */
+	bool grounded; /* with the slot `ground` of fixes; else contacts and bonds alone */
 	struct ts_lanczos modes;
 };
 
@@ -108,38 +109,17 @@ static void arm_to(const struct network *w, size_t i, double arm[3])
 	ts_rotate(m, p->body_x[local_of(p, i)], arm);
 }
 
-/* Rate at which fixes damp particle i, 1/time. */
-static double damping_rate(const struct tsim *sim, size_t i)
+static void set_ground(const struct network *w, size_t node, struct ts_lanczos_body *b)
 {
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	double sum = 0;
+	struct ts_ground_springs g;
 
-	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style->damping)
-			sum += fixes->item[k]->style->damping(fixes->item[k], sim, i);
-	return sum;
-}
-
-/* The last fix that damps particles; NULL: there is none. */
-static const struct ts_instance *damping_fix(const struct tsim *sim)
-{
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	const struct ts_instance *found = NULL;
-
-	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style->damping)
-			found = fixes->item[k];
-	return found;
-}
-
-static void set_drag(const struct network *w, size_t node, struct ts_lanczos_body *b)
-{
-	double rate = w->damped ? damping_rate(w->sim, node) : 0;
-
-	if (!(rate > 0) || !(b->inverse_mass > 0))
+	if (!w->grounded || !(b->inverse_mass > 0))
 		return;
-	b->drag[0] = rate / b->inverse_mass;
-	b->drag[1] = w->rotates ? rate * ts_inertia(w->sim, node) : 0;
+	ts_ground_of(w->sim, node, &g);
+	for (int d = 0; d < 3; d++)
+		b->spring[d] = g.frequency2[d] / b->inverse_mass;
+	b->drag[0] = g.rate / b->inverse_mass;
+	b->drag[1] = w->rotates ? g.turning * ts_inertia(w->sim, node) : 0;
 }
 
 static struct ts_lanczos_body body_of_node(const struct network *w, size_t node)
@@ -153,7 +133,7 @@ static struct ts_lanczos_body body_of_node(const struct network *w, size_t node)
 		b.inverse_mass = inverse_mass(w, node);
 		for (int d = 0; d < 3 && w->rotates && b.inverse_mass > 0; d++)
 			b.inverse_inertia[d][d] = 1 / ts_inertia(sim, node);
-		set_drag(w, node, &b);
+		set_ground(w, node, &b);
 		return b;
 	}
 	b.inverse_mass = 1 / sim->rigid->body[node - p->n].mass;
@@ -613,26 +593,33 @@ static enum ts_status search_places(struct network *w, struct ts_plan_report *re
 	return TS_OK;
 }
 
-/* Contacts and layers of fluid together, where a particle has both: sufficient for stability, and the limit itself where
- * both act along the same line. */
-static enum ts_status report_damped(struct network *w, struct ts_plan_report *report)
+/* The score of a particle with its springs and dashpots to the ground; 0: it has none. */
+static double grounded_score(const struct network *w, size_t i)
+{
+	struct ts_ground_springs g;
+
+	if (!ts_ground_of(w->sim, i, &g))
+		return 0;
+	return w->score[i] + fmax(fmax(g.frequency2[0], g.frequency2[1]), g.frequency2[2]) +
+	       2 * fmax(g.rate, g.turning) / w->sim->clock.dt;
+}
+
+/* Contacts and bonds together with what fixes put between particles and the ground (layers of fluid, springs), where a
+ * particle has both: sufficient for stability, and the limit itself where all act along the same line. */
+static enum ts_status report_grounded(struct network *w, struct ts_plan_report *report)
 {
 	const struct ts_particles *p = w->sim->particles;
-	const struct ts_instance *by = damping_fix(w->sim);
+	const struct ts_instance *by = ts_ground_fix(w->sim);
 	size_t node = 0;
 	double limit, most;
 	int worst;
 
-	w->damped = by != NULL;
-	for (size_t i = 0; w->damped && i < p->n; i++)
-		if (w->score[i] > 0 && inverse_mass(w, i) > 0) {
-			double rate = damping_rate(w->sim, i);
-
-			w->score[i] = rate > 0 ? w->score[i] + 2 * rate / w->sim->clock.dt : 0;
-		}
+	w->grounded = true;
+	for (size_t i = 0; i < p->n; i++)
+		w->score[i] = w->score[i] > 0 && inverse_mass(w, i) > 0 ? grounded_score(w, i) : 0;
 	for (size_t k = 0; k < w->sim->rigid->n; k++)
 		w->score[p->n + k] = 0;
-	most = w->damped ? highest_score(w, &node) : 0;
+	most = highest_score(w, &node);
 	if (!(most > 0) || 2 / sqrt(2 * most) > report->enough)
 		return TS_OK;
 	if (w->sim->division) {
@@ -643,8 +630,7 @@ static enum ts_status report_damped(struct network *w, struct ts_plan_report *re
 	if (ts_lanczos_limit(&w->modes, false, w->sim->clock.dt, &limit, &worst) != TS_OK)
 		return ts_nomem(&w->sim->error);
 	return ts_report_limit(report, limit, false, &by->where,
-			       "contacts together with the damping of fix %s, about particle %d at (%.4g "
-			       "%.4g %.4g)",
+			       "contacts together with fix %s, about particle %d at (%.4g %.4g %.4g)",
 			       by->style->name, p->tag[node], p->x[node][0], p->x[node][1], p->x[node][2]);
 }
 
@@ -682,9 +668,9 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	}
 	TS_TRY(ts_rigid_list(sim));
 	status = compute_scores(&w);
-	if (status == TS_OK && damping_fix(sim)) {
-		status = report_damped(&w, report);
-		w.damped = false;
+	if (status == TS_OK && ts_ground_fix(sim)) {
+		status = report_grounded(&w, report);
+		w.grounded = false;
 		sum_scores(&w);
 	}
 	if (status == TS_OK)

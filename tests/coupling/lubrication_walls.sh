@@ -256,7 +256,7 @@ END
 }
 prints "$(both 0.99 400)" 'grown 0 decayed 1'
 prints "$(both 1.02 60)" 'grown 1 decayed 0' \
-	'*of contacts together with the damping of fix lubrication, about particle 1'
+	'*of contacts together with fix lubrication, about particle 1'
 
 cuboid 0.4 0.4 0.4 >cuboid.stl
 rejects "$(scene si 1 1 1 "fix s all mesh/surface/stress file cuboid.stl type 1 move 0 0 -0.4

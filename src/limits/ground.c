@@ -1,0 +1,136 @@
+#include "limits/ground.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/str.h"
+#include "core/report.h"
+#include "integrate/integrators.h"
+#include "particle/prescribed.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+/* Adds what the fix adds; false: nothing. */
+static bool add_fix(const struct ts_instance *fix, const struct tsim *sim, size_t i,
+		    struct ts_ground_springs *sum)
+{
+	struct ts_ground_springs own = { .rate = 0 };
+
+	if (!fix->style->ground || !ts_in_group(sim->particles, i, fix->group))
+		return false;
+	fix->style->ground(fix, sim, i, &own);
+	for (int d = 0; d < 3; d++)
+		sum->frequency2[d] += own.frequency2[d];
+	sum->rate += own.rate;
+	sum->turning += own.turning;
+	sum->estimated |= own.estimated;
+	return own.rate > 0 || own.turning > 0 || own.frequency2[0] > 0 || own.frequency2[1] > 0 ||
+	       own.frequency2[2] > 0;
+}
+
+int ts_ground_of(const struct tsim *sim, size_t i, struct ts_ground_springs *sum)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	int n = 0;
+
+	memset(sum, 0, sizeof *sum);
+	for (size_t k = 0; k < fixes->n; k++)
+		n += add_fix(fixes->item[k], sim, i, sum);
+	return n;
+}
+
+const struct ts_instance *ts_ground_fix(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	const struct ts_instance *found = NULL;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->ground)
+			found = fixes->item[k];
+	return found;
+}
+
+static bool has_several(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	int n = 0;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		n += fixes->item[k]->style->ground != NULL;
+	return n > 1;
+}
+
+/* h = 2 (sqrt(w^2 + g^2) - g)/w^2 with 2 g = rate (limits/lanczos.h), without the difference. */
+static double stable_step(double frequency2, double rate)
+{
+	return 2 / (sqrt(frequency2 + 0.25 * rate * rate) + 0.5 * rate);
+}
+
+static double limit_of(const struct ts_ground_springs *s)
+{
+	double limit = stable_step(0, s->turning);
+
+	for (int d = 0; d < 3; d++)
+		limit = fmin(limit, stable_step(s->frequency2[d], s->rate));
+	return limit;
+}
+
+/* "fix spring/self a, fix viscous b" */
+static void name_fixes(const struct tsim *sim, size_t i, struct ts_str *names)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	struct ts_ground_springs sum = { .rate = 0 };
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (add_fix(fixes->item[k], sim, i, &sum))
+			ts_str_addf(names, "%sfix %s %s", names->length ? ", " : "",
+				    fixes->item[k]->style->name, fixes->item[k]->id);
+}
+
+static enum ts_status report_particle(struct ts_plan_report *report, struct tsim *sim, size_t i, double limit,
+				      bool estimated)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_str names = { 0 };
+	enum ts_status status;
+
+	name_fixes(sim, i, &names);
+	status = ts_report_limit(report, limit, !estimated && !sim->run.clamped, &ts_ground_fix(sim)->where,
+				 "%s together, on particle %d of type %d at (%.4g %.4g %.4g)",
+				 names.text ? names.text : "fixes", p->tag[i], p->type[i], p->x[i][0],
+				 p->x[i][1], p->x[i][2]);
+	ts_str_release(&names);
+	return status;
+}
+
+enum ts_status ts_ground_report(struct ts_plan_report *report, struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const uint32_t moving = ts_integrated_groups(sim, TS_MOVES), prescribed = ts_prescribed(sim);
+	double least[2] = { INFINITY, INFINITY }; /* exact, estimated */
+	size_t at[2] = { 0, 0 };
+
+	if (!has_several(sim) || sim->run.explicit_euler)
+		return TS_OK;
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_ground_springs sum;
+		double limit;
+
+		bool in_body = ts_rigid_body_of(sim, i) != NULL;
+
+		if (!(p->mask[i] & moving || in_body) || p->mask[i] & prescribed ||
+		    ts_ground_of(sim, i, &sum) < 2)
+			continue;
+		sum.estimated |= in_body;
+		limit = limit_of(&sum);
+		if (limit < least[sum.estimated]) {
+			least[sum.estimated] = limit;
+			at[sum.estimated] = i;
+		}
+	}
+	for (int k = 0; k < 2; k++)
+		if (isfinite(least[k]))
+			TS_TRY(report_particle(report, sim, at[k], least[k], k == 1));
+	return TS_OK;
+}

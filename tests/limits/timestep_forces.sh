@@ -1,0 +1,89 @@
+#!/bin/bash
+# Limits of the time step of fixes that hold and brake particles: of each one, of several on the same particle, and
+# together with contacts.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+cat >in.grains <<'END'
+units si
+atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+region box block -1 1 -1 1 -1 1 units box
+create_box 2 box
+create_atoms 1 single 0 0 0 units box
+create_atoms 2 single 0.5 0 0 units box
+set type 1 diameter 0.2 density 1000
+set type 2 diameter 0.3 density 1500
+group light type 1
+group heavy type 2
+variable m equal 1000*PI*0.2^3/6
+variable M equal 1500*PI*0.3^3/6
+variable K equal 23.85
+variable soft index 71.3
+fix n all nve/sphere
+pair_style spring/dashpot
+pair_coeff * * stiffness $(v_soft) damping 0
+timestep 1e-4
+END
+
+# limit WHAT TEXT VALUE LINES...: of in.grains and these lines -explain lists a limit with the text, of this value (a formula)
+limit() {
+	local what=$1 text=$2 value=$3
+	shift 3
+	printf '%s\n' 'include in.grains' "$@" "print \"WANTED \$($value:%.6g)\"" 'run 0' >in.limit
+	"$TSIM" -explain -in in.limit -log none >out 2>&1
+	awk -v text="$text" '/^WANTED/ { wanted = $2 } index($0, text) && !n++ { sub(/^ *->/, ""); found = $1 }
+		END { d = found - wanted; if (d < 0) d = -d; ok = wanted > 0 && d <= 2e-5 * wanted; print "found", found, "wanted", wanted; exit !ok }' out >found
+	report "$what" $? found
+}
+limit 'spring/self, of the lightest' 'fix spring/self, 2 sqrt(m/K)' '2*sqrt(v_m/v_K)' 'fix a all spring/self ${K}'
+limit 'tether: of the whole group' 'fix spring, 2 sqrt(m/K)' '2*sqrt((v_m+v_M)/v_K)' 'fix a all spring tether ${K} 0 0 0 0'
+limit 'couple: the reduced mass' 'fix spring, 2 sqrt(m/K)' '2*sqrt(v_m*v_M/(v_m+v_M)/v_K)' \
+	'fix a light spring couple heavy ${K} 0 0 0 0'
+limit 'viscous' 'fix viscous, 2 m/gamma' '2*v_m/7.13' 'fix a all viscous 7.13'
+limit 'viscous, of the type that is braked most' 'fix viscous, 2 m/gamma' '2*v_M/(7.13*9)' 'fix a all viscous 7.13 scale 2 9'
+limit 'viscous/sphere' 'fix viscous/sphere, 2 I/gamma' '2*0.4*v_m*0.1^2/7.13' 'fix a all viscous/sphere 7.13'
+limit 'langevin' 'fix langevin, 2 damp' '2*0.37' 'fix a all langevin 300 300 0.37 86028157'
+limit 'langevin, of the type with the shortest time' 'fix langevin, 2 damp' '2*0.37*0.5' \
+	'fix a all langevin 300 300 0.37 86028157 scale 2 0.5'
+
+limit 'two springs' 'fix spring/self a, fix spring/self b together, on particle 1' '2*sqrt(v_m/(4*v_K))' \
+	'fix a all spring/self ${K}' 'fix b all spring/self $(3*v_K)'
+limit 'two springs of one particle only' 'fix spring/self b together, on particle 2' '2*sqrt(v_M/(4*v_K))' \
+	'fix a all spring/self ${K}' 'fix b heavy spring/self $(3*v_K)'
+limit 'springs across each other' 'fix spring/self b together' '2*sqrt(v_m/(3*v_K))' \
+	'fix a all spring/self ${K} x' 'fix b all spring/self $(3*v_K) yz'
+limit 'a spring and a dashpot' 'fix viscous b together' '2/(sqrt(v_K/v_m+(7.13/2/v_m)^2)+7.13/2/v_m)' \
+	'fix a all spring/self ${K}' 'fix b all viscous 7.13'
+limit 'two dashpots' 'fix langevin b together' '2/(7.13/v_m+1/0.37)' 'fix a all viscous 7.13' \
+	'fix b all langevin 300 300 0.37 86028157'
+limit 'two dashpots of the rotation' 'fix viscous/sphere b together' '2/(3*7.13/(0.4*v_m*0.1^2))' \
+	'fix a all viscous/sphere 7.13' 'fix b all viscous/sphere $(2*7.13)'
+limit 'a tether of the particle alone' 'fix spring a, fix spring/self b together' '2*sqrt(v_m/(3*v_K))' \
+	'fix a light spring tether ${K} 0 0 0 0' 'fix b light spring/self $(2*v_K)'
+limit 'a contact of held particles' 'contacts together with fix spring/self' '2*sqrt(v_m/(2*71.3+v_K))' \
+	'set atom 2 type 1' 'set type 1 diameter 0.2 density 1000' 'set atom 2 x 0.199' 'fix a all spring/self ${K}'
+limit 'a contact across the springs' 'contacts together with fix spring/self' '2*sqrt(v_m/(2*71.3))' \
+	'set atom 2 type 1' 'set type 1 diameter 0.2 density 1000' 'set atom 2 x 0.199' 'fix a all spring/self ${K} y'
+
+# Those of the same particle end a run; of a group that is more than the particle they are advice.
+for h in 0.99 1.01; do
+	printf '%s\n' 'include in.grains' 'velocity light set 1e-6 0 0' 'fix a all spring/self ${K}' 'fix b all viscous 7.13' \
+		"timestep \$($h*2/(sqrt(v_K/v_m+(7.13/2/v_m)^2)+7.13/2/v_m))" 'run 500' 'print "bounded $(abs(x[1])<1e-6)"' >in.$h
+done
+"$TSIM" -in in.0.99 -log none -var soft 1e-3 >out 2>&1 && grep -q '^bounded 1$' out
+report 'stable below the limit' $? out
+refused 'above the limit' 'of fix spring/self a, fix viscous b together, on particle 1 of type 1' -in in.1.01 -var soft 1e-3
+refused 'above the limit, -check' 'of fix spring/self a, fix viscous b together' -check -in in.1.01 -var soft 1e-3
+printf '%s\n' 'include in.grains' 'fix a all spring tether ${K} $(xcm(all,x)) 0 0 0' 'fix b all spring/self ${K}' \
+	'timestep $(2*sqrt(v_m/(1.1*v_K)))' 'run 3' >in.advice
+"$TSIM" -in in.advice -log none -var soft 1e-3 >out 2>&1 &&
+	grep -q 'warning: the time step .* exceeds the recommended limit .* of fix spring a, fix spring/self b together' out
+report 'advice' $? out
+# frozen particles do not move
+printf '%s\n' 'include in.grains' 'fix a light spring/self ${K}' 'fix b light viscous 7.13' 'fix hold light freeze' 'run 3' >in.frozen
+"$TSIM" -explain -in in.frozen -log none >out 2>&1 && ! grep -q 'fix viscous b together' out && grep -q 'fix spring/self, 2 sqrt' out
+report 'not of frozen particles' $? out
+finish
