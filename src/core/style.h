@@ -126,7 +126,6 @@ enum ts_integrates {
 	TS_OBEYS = 4  /* by the equations of motion; not set: motion is prescribed */
 };
 
-/* What all styles have in common; first member of the tables of each kind. */
 /* Springs and dashpots between a particle and the ground, without those of contacts, divided by its mass. */
 struct ts_ground_springs {
 	double frequency2[3]; /* of the springs along x, y, z: squared angular frequency, 1/time^2 */
@@ -134,6 +133,7 @@ struct ts_ground_springs {
 	bool estimated;	      /* some of it is an upper bound */
 };
 
+/* What all styles have in common; first member of the tables of each kind. */
 struct ts_style {
 	const char *name;
 	enum ts_kind kind;

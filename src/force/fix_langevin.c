@@ -47,13 +47,18 @@ static enum ts_status target_temperature(struct ts_instance *self, struct tsim *
 	return ts_fail(&sim->error, TS_RANGE, &self->where, "fix langevin: the temperature would be %g", *t);
 }
 
+static double damping_time(const struct state *s, const struct ts_particles *p, size_t i)
+{
+	return s->damp * s->factor[p->type[i]];
+}
+
 /* Random force on particle i in this step: variance 2 k T m/(damp dt) per component, uniformly
  * distributed (B. Duenweg, W. Paul, Int. J. Mod. Phys. C 2 (1991) 817). */
 static void random_force(const struct state *s, const struct tsim *sim, double kt, size_t i, double f[3])
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
-	double damp = s->damp * s->factor[p->type[i]];
+	double damp = damping_time(s, p, i);
 	double amplitude = sqrt(24 * kt * p->mass[i] / (damp * sim->clock.dt));
 
 	rng.counter = 3 * (uint64_t)sim->clock.step;
@@ -86,7 +91,7 @@ static enum ts_status add_langevin_force(struct ts_instance *self, struct tsim *
 		ts_group_sum(sim, self->group, 3, random_force_term, &bath, mean);
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
-		double f[3], rate = p->mass[i] / (s->damp * s->factor[p->type[i]]);
+		double f[3], rate = p->mass[i] / damping_time(s, p, i);
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
@@ -100,9 +105,7 @@ static enum ts_status add_langevin_force(struct ts_instance *self, struct tsim *
 static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		       struct ts_ground_springs *sum)
 {
-	const struct state *s = self->state;
-
-	sum->rate += 1 / (s->damp * s->factor[sim->particles->type[i]]);
+	sum->rate += 1 / damping_time(self->state, sim->particles, i);
 }
 
 static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -113,7 +116,7 @@ static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, s
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			shortest = fmin(shortest, s->damp * s->factor[p->type[i]]);
+			shortest = fmin(shortest, damping_time(s, p, i));
 	if (!isfinite(shortest))
 		return TS_OK;
 	return ts_report_limit(report, 2 * shortest, true, &self->where, "fix langevin, 2 damp");

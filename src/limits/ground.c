@@ -40,25 +40,18 @@ int ts_ground_of(const struct tsim *sim, size_t i, struct ts_ground_springs *sum
 	return n;
 }
 
-const struct ts_instance *ts_ground_fix(const struct tsim *sim)
-{
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	const struct ts_instance *found = NULL;
-
-	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style->ground)
-			found = fixes->item[k];
-	return found;
-}
-
-static bool has_several(const struct tsim *sim)
+int ts_ground_fixes(const struct tsim *sim, const struct ts_instance **last)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	int n = 0;
 
+	*last = NULL;
 	for (size_t k = 0; k < fixes->n; k++)
-		n += fixes->item[k]->style->ground != NULL;
-	return n > 1;
+		if (fixes->item[k]->style->ground) {
+			*last = fixes->item[k];
+			n++;
+		}
+	return n;
 }
 
 /* h = 2 (sqrt(w^2 + g^2) - g)/w^2 with 2 g = rate (limits/lanczos.h), without the difference. */
@@ -92,11 +85,13 @@ static enum ts_status report_particle(struct ts_plan_report *report, struct tsim
 				      bool estimated)
 {
 	const struct ts_particles *p = sim->particles;
+	const struct ts_instance *last;
 	struct ts_str names = { 0 };
 	enum ts_status status;
 
+	ts_ground_fixes(sim, &last);
 	name_fixes(sim, i, &names);
-	status = ts_report_limit(report, limit, !estimated && !sim->run.clamped, &ts_ground_fix(sim)->where,
+	status = ts_report_limit(report, limit, !estimated && !sim->run.clamped, &last->where,
 				 "%s together, on particle %d of type %d at (%.4g %.4g %.4g)",
 				 names.text ? names.text : "fixes", p->tag[i], p->type[i], p->x[i][0],
 				 p->x[i][1], p->x[i][2]);
@@ -107,25 +102,24 @@ static enum ts_status report_particle(struct ts_plan_report *report, struct tsim
 enum ts_status ts_ground_report(struct ts_plan_report *report, struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	const uint32_t moving = ts_integrated_groups(sim, TS_MOVES), prescribed = ts_prescribed(sim);
+	const uint32_t moved = ts_integrated_groups(sim, TS_MOVES | TS_OBEYS),
+		       prescribed = ts_prescribed(sim);
 	double least[2] = { INFINITY, INFINITY }; /* exact, estimated */
 	size_t at[2] = { 0, 0 };
+	const struct ts_instance *last;
 
-	if (!has_several(sim) || sim->run.explicit_euler)
+	if (ts_ground_fixes(sim, &last) < 2 || sim->run.explicit_euler)
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
+		bool in_body = ts_rigid_member(p, i);
 		struct ts_ground_springs sum;
-		double limit;
 
-		bool in_body = ts_rigid_body_of(sim, i) != NULL;
-
-		if (!(p->mask[i] & moving || in_body) || p->mask[i] & prescribed ||
+		if (!(p->mask[i] & moved || in_body) || p->mask[i] & prescribed ||
 		    ts_ground_of(sim, i, &sum) < 2)
 			continue;
 		sum.estimated |= in_body;
-		limit = limit_of(&sum);
-		if (limit < least[sum.estimated]) {
-			least[sum.estimated] = limit;
+		if (limit_of(&sum) < least[sum.estimated]) {
+			least[sum.estimated] = limit_of(&sum);
 			at[sum.estimated] = i;
 		}
 	}

@@ -7,8 +7,8 @@
 
 /* Sets *sum to that of all fixes. Returns the number of fixes that have added something. */
 int ts_ground_of(const struct tsim *sim, size_t i, struct ts_ground_springs *sum);
-/* The last fix with the slot; NULL: there is none. */
-const struct ts_instance *ts_ground_fix(const struct tsim *sim);
+/* The number of fixes with the slot. *last: the last one of them; NULL: there is none. */
+int ts_ground_fixes(const struct tsim *sim, const struct ts_instance **last);
 /* Reports the largest stable step of a particle alone with all its springs and dashpots to the ground, if it has those of
  * several fixes: a limit of stability, or advice if one of them is an estimate. */
 enum ts_status ts_ground_report(struct ts_plan_report *report, struct tsim *sim);

@@ -16,13 +16,14 @@ static enum ts_status report_limits(struct ts_plan_report *report, struct tsim *
 static void connect_limits(struct tsim *sim)
 {
 	sim->neigh->callback.find_hit = ts_tunnelling_find;
-	sim->neigh->callback.network = report_limits;
+	sim->neigh->callback.limits = report_limits;
 }
 
 const struct ts_system_style ts_limits_system = {
 	.style = { .name = "limits",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "limits of the time step of the coupled contacts, walls and bonds" },
+		   .summary = "limits of the time step of coupled contacts, walls and bonds, and of what "
+			      "holds particles" },
 	.no_instance = true,
 	.connect = connect_limits,
 };

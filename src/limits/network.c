@@ -606,10 +606,10 @@ static double grounded_score(const struct network *w, size_t i)
 
 /* Contacts and bonds together with what fixes put between particles and the ground (layers of fluid, springs), where a
  * particle has both: sufficient for stability, and the limit itself where all act along the same line. */
-static enum ts_status report_grounded(struct network *w, struct ts_plan_report *report)
+static enum ts_status report_grounded(struct network *w, struct ts_plan_report *report,
+				      const struct ts_instance *by)
 {
 	const struct ts_particles *p = w->sim->particles;
-	const struct ts_instance *by = ts_ground_fix(w->sim);
 	size_t node = 0;
 	double limit, most;
 	int worst;
@@ -651,7 +651,7 @@ static enum ts_status compute_scores(struct network *w)
 
 enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim)
 {
-	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR), *ground;
 	struct network w = { .sim = sim, .pair = pair ? pair->state : NULL };
 	enum ts_status status;
 
@@ -668,8 +668,8 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	}
 	TS_TRY(ts_rigid_list(sim));
 	status = compute_scores(&w);
-	if (status == TS_OK && ts_ground_fix(sim)) {
-		status = report_grounded(&w, report);
+	if (status == TS_OK && ts_ground_fixes(sim, &ground)) {
+		status = report_grounded(&w, report, ground);
 		w.grounded = false;
 		sum_scores(&w);
 	}

@@ -86,4 +86,8 @@ report 'advice' $? out
 printf '%s\n' 'include in.grains' 'fix a light spring/self ${K}' 'fix b light viscous 7.13' 'fix hold light freeze' 'run 3' >in.frozen
 "$TSIM" -explain -in in.frozen -log none >out 2>&1 && ! grep -q 'fix viscous b together' out && grep -q 'fix spring/self, 2 sqrt' out
 report 'not of frozen particles' $? out
+sed 's,nve/sphere,nve/noforce,' in.grains >in.straight
+printf '%s\n' 'include in.straight' 'fix a light spring/self ${K}' 'fix b light viscous 7.13' 'run 3' >in.noforce
+"$TSIM" -explain -in in.noforce -log none >out 2>&1 && ! grep -q 'fix viscous b together' out && grep -q 'fix spring/self, 2 sqrt' out
+report 'not of particles that obey no force' $? out
 finish
