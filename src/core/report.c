@@ -119,6 +119,9 @@ enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim
 				TS_TRY(ts_sim_defer_error(sim, list->item[k]->style->plan(list->item[k], sim,
 											  report)));
 	}
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
+		if ((*s)->limits)
+			TS_TRY(ts_sim_defer_error(sim, (*s)->limits(report, sim)));
 	return TS_OK;
 }
 

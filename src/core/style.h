@@ -129,7 +129,9 @@ enum ts_integrates {
 /* Springs and dashpots between a particle and the ground, without those of contacts, divided by its mass. */
 struct ts_ground_springs {
 	double frequency2[3]; /* of the springs along x, y, z: squared angular frequency, 1/time^2 */
-	double rate, turning; /* of the dashpots of its motion and of its rotation, 1/time */
+	double rate[3];	      /* of the dashpots along x, y, z, 1/time */
+	double turning;	      /* of the dashpots of its rotation, 1/time */
+	double added;	      /* mass of the fluid that moves with the particle, by its own */
 	bool estimated;	      /* some of it is an upper bound */
 };
 
@@ -281,6 +283,8 @@ struct ts_system_style {
 	/* Sets the function pointers by which systems of folders below call this one; called when all
 	 * systems have been created. */
 	void (*connect)(struct tsim *sim);
+	/* Reports limits of the time step by several styles together; called after the slots `plan` of all styles. */
+	enum ts_status (*limits)(struct ts_plan_report *report, struct tsim *sim);
 	/* Appends what commands have set to the record of settings in the log; core/settings.h. */
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;

@@ -161,6 +161,7 @@ void ts_drag_fini(struct ts_instance *self);
 	.join = ts_drag_join, .family = TS_FAMILY_FLOW_PART, .state_size = sizeof(struct ts_drag),           \
 	.init = ts_drag_init, .archive = ts_drag_archive, .values = ts_drag_values,                          \
 	.hook = { [TS_STAGE_POST_FORCE] = ts_drag_post_force }, .late = { [TS_LATE_RELAX] = ts_drag_relax }, \
-	.is_late = ts_drag_is_late, .plan = ts_drag_report_limits, .fini = ts_drag_fini
+	.is_late = ts_drag_is_late, .plan = ts_drag_report_limits, .ground = ts_drag_add_ground,             \
+	.fini = ts_drag_fini
 
 #endif

@@ -105,6 +105,23 @@ static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, d
 			       self->style->name);
 }
 
+void ts_drag_add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+			struct ts_ground_springs *sum)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
+	struct ts_slip slip = { .density = flow->density(s->flow), .viscosity = flow->viscosity(s->flow) };
+	double w[3];
+
+	if ((s->scheme != TS_DRAG_EXPLICIT && !ts_rigid_member(sim->particles, i)) || !(slip.viscosity > 0) ||
+	    !ts_drag_slip_at(self, sim->particles, i, &slip, w))
+		return;
+	for (int d = 0; d < 3; d++)
+		if (ts_drag_acts_along(s, d))
+			sum->rate[d] +=
+				ts_drag_style_of(self)->coefficient(s, &slip) * sim->particles->imass[i];
+}
+
 /* Largest diameter; smallest relaxation times m/c of all particles, and of those with explicit drag. */
 struct relaxation_times {
 	double largest, least, explicit;

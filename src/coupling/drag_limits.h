@@ -7,5 +7,8 @@
 /* Slot `plan` of struct ts_style. */
 enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
 				     struct ts_plan_report *report);
+/* Slot `ground`. */
+void ts_drag_add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+			struct ts_ground_springs *sum);
 
 #endif

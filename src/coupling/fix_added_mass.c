@@ -52,6 +52,12 @@ static double added_mass_of(const struct ts_instance *self, const struct tsim *s
 	       ts_particle_volume(sim, sim->particles->radius[i]);
 }
 
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
+{
+	sum->added += added_mass_of(self, sim, i) * sim->particles->imass[i];
+}
+
 /* The part C rho V_p Du/Dt, which does not depend on the motion of the particle. */
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		      const struct ts_coupling_local_flow *around, double f[3], double torque[3])
@@ -257,6 +263,7 @@ const struct ts_coupling_force_style ts_fix_added_mass = {
 		.fini = fini,
 		TS_COUPLING_FORCE_SLOTS,
 		.late = { [TS_LATE_INERTIA] = apply_inertia },
+		.ground = add_ground,
 	},
 	.force = add_force,
 	.sheared = true,

@@ -179,6 +179,23 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* The drag relaxes the velocity of particle i at this rate, 1/time, as far as stability goes. */
+static double implicit_rate(const struct force *s, const struct tsim *sim, size_t i)
+{
+	return *particle_column(s, sim, COEFFICIENT, i) * sim->particles->imass[i] *
+	       (isnan(s->alpha) ? 1 : 1 - 2 * fmin(s->alpha, 0.5));
+}
+
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
+{
+	const struct force *s = self->state;
+
+	for (int d = 0; d < 3; d++)
+		sum->rate[d] += implicit_rate(s, sim, i);
+	sum->estimated |= !isnan(s->alpha);
+}
+
 static enum ts_status plan_force(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct force *s = self->state;
@@ -186,9 +203,7 @@ static enum ts_status plan_force(struct ts_instance *self, struct tsim *sim, str
 
 	for (size_t i = 0; s->implicit && i < sim->particles->n; i++)
 		if (ts_in_group(sim->particles, i, self->group))
-			most = fmax(most, *particle_column(s, sim, COEFFICIENT, i) *
-						  sim->particles->imass[i] *
-						  (isnan(s->alpha) ? 1 : 1 - 2 * fmin(s->alpha, 0.5)));
+			most = fmax(most, implicit_rate(s, sim, i));
 	if (!(most > 0))
 		return TS_OK;
 	return ts_report_limit(report, 2 / most, true, &self->where,
@@ -348,6 +363,7 @@ const struct ts_style ts_fix_couple_cfd_force_implicit = {
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
 	.fini = fini,
 	.plan = plan_force,
+	.ground = add_ground,
 };
 
 static const struct ts_arg convection_args[] = {

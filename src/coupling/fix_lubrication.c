@@ -339,7 +339,8 @@ static void add_ground(const struct ts_instance *self, const struct tsim *sim, s
 	struct sums sums;
 
 	sum_layers(&task, i, &sums);
-	sum->rate += sums.rate;
+	for (int d = 0; d < 3; d++)
+		sum->rate[d] += sums.rate;
 	sum->turning += sums.rate;
 	sum->estimated = true;
 }

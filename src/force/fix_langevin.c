@@ -105,21 +105,8 @@ static enum ts_status add_langevin_force(struct ts_instance *self, struct tsim *
 static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		       struct ts_ground_springs *sum)
 {
-	sum->rate += 1 / damping_time(self->state, sim->particles, i);
-}
-
-static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
-{
-	const struct state *s = self->state;
-	const struct ts_particles *p = sim->particles;
-	double shortest = INFINITY;
-
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			shortest = fmin(shortest, damping_time(s, p, i));
-	if (!isfinite(shortest))
-		return TS_OK;
-	return ts_report_limit(report, 2 * shortest, true, &self->where, "fix langevin, 2 damp");
+	for (int d = 0; d < 3; d++)
+		sum->rate[d] += 1 / damping_time(self->state, sim->particles, i);
 }
 
 static const struct ts_arg args[] = {
@@ -163,5 +150,4 @@ const struct ts_style ts_fix_langevin = {
 	.init = init,
 	.hook[TS_STAGE_POST_FORCE] = add_langevin_force,
 	.ground = add_ground,
-	.plan = report_limit,
 };

@@ -86,21 +86,6 @@ static void add_ground(const struct ts_instance *self, const struct tsim *sim, s
 			sum->frequency2[d] += s->stiffness * sim->particles->imass[i];
 }
 
-static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
-{
-	const struct state *s = self->state;
-	const struct ts_particles *p = sim->particles;
-	double lightest = INFINITY;
-
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			lightest = fmin(lightest, p->mass[i]);
-	if (isinf(lightest))
-		return TS_OK;
-	return ts_report_limit(report, 2 * sqrt(lightest / s->stiffness), true, &self->where,
-			       "fix spring/self, 2 sqrt(m/K)");
-}
-
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
@@ -158,6 +143,5 @@ const struct ts_style ts_fix_spring_self = {
 		[TS_STAGE_POST_FORCE] = add_spring_forces,
 	},
 	.ground = add_ground,
-	.plan = report_limit,
 	.fini = fini,
 };

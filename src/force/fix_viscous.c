@@ -60,27 +60,14 @@ static enum ts_status add_viscous_force(struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
-static double rate_of(const struct viscous *s, const struct ts_particles *p, size_t i)
-{
-	return s->gamma * s->factor[p->type[i]] * p->imass[i];
-}
-
 static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		       struct ts_ground_springs *sum)
 {
-	sum->rate += rate_of(self->state, sim->particles, i);
-}
-
-static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
-{
 	const struct viscous *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	double fastest = 0;
 
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			fastest = fmax(fastest, rate_of(s, p, i));
-	return ts_report_limit(report, 2 / fastest, true, &self->where, "fix viscous, 2 m/gamma");
+	for (int d = 0; d < 3; d++)
+		sum->rate[d] += s->gamma * s->factor[p->type[i]] * p->imass[i];
 }
 
 static const struct ts_arg args[] = {
@@ -105,5 +92,4 @@ const struct ts_style ts_fix_viscous = {
 	.hook = { [TS_STAGE_POST_FORCE] = add_viscous_force },
 	.defers = TS_DEFERS(POST_FORCE),
 	.ground = add_ground,
-	.plan = report_limit,
 };

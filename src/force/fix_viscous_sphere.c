@@ -35,27 +35,12 @@ static enum ts_status add_viscous_torque(struct ts_instance *self, struct tsim *
 	return TS_OK;
 }
 
-static double rate_of(const struct state *s, const struct tsim *sim, size_t i)
-{
-	return s->gamma * s->factor[sim->particles->type[i]] / ts_inertia(sim, i);
-}
-
 static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		       struct ts_ground_springs *sum)
 {
-	sum->turning += rate_of(self->state, sim, i);
-}
-
-static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
-{
 	const struct state *s = self->state;
-	const struct ts_particles *p = sim->particles;
-	double fastest = 0;
 
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			fastest = fmax(fastest, rate_of(s, sim, i));
-	return ts_report_limit(report, 2 / fastest, true, &self->where, "fix viscous/sphere, 2 I/gamma");
+	sum->turning += s->gamma * s->factor[sim->particles->type[i]] / ts_inertia(sim, i);
 }
 
 static const struct ts_arg args[] = {
@@ -81,5 +66,4 @@ const struct ts_style ts_fix_viscous_sphere = {
 	.init = init,
 	.hook[TS_STAGE_POST_FORCE] = add_viscous_torque,
 	.ground = add_ground,
-	.plan = report_limit,
 };

@@ -11,22 +11,26 @@
 
 #include "base/banned.h"
 
-/* Adds what the fix adds; false: nothing. */
+/* Adds what the fix adds; false: no spring or dashpot. */
 static bool add_fix(const struct ts_instance *fix, const struct tsim *sim, size_t i,
 		    struct ts_ground_springs *sum)
 {
-	struct ts_ground_springs own = { .rate = 0 };
+	struct ts_ground_springs own = { .turning = 0 };
+	bool acts;
 
 	if (!fix->style->ground || !ts_in_group(sim->particles, i, fix->group))
 		return false;
 	fix->style->ground(fix, sim, i, &own);
-	for (int d = 0; d < 3; d++)
+	acts = own.turning > 0;
+	for (int d = 0; d < 3; d++) {
 		sum->frequency2[d] += own.frequency2[d];
-	sum->rate += own.rate;
+		sum->rate[d] += own.rate[d];
+		acts |= own.frequency2[d] > 0 || own.rate[d] > 0;
+	}
 	sum->turning += own.turning;
+	sum->added += own.added;
 	sum->estimated |= own.estimated;
-	return own.rate > 0 || own.turning > 0 || own.frequency2[0] > 0 || own.frequency2[1] > 0 ||
-	       own.frequency2[2] > 0;
+	return acts;
 }
 
 int ts_ground_of(const struct tsim *sim, size_t i, struct ts_ground_springs *sum)
@@ -65,38 +69,60 @@ static double limit_of(const struct ts_ground_springs *s)
 	double limit = stable_step(0, s->turning);
 
 	for (int d = 0; d < 3; d++)
-		limit = fmin(limit, stable_step(s->frequency2[d], s->rate));
+		limit = fmin(limit,
+			     stable_step(s->frequency2[d] / (1 + s->added), s->rate[d] / (1 + s->added)));
 	return limit;
 }
 
-/* "fix spring/self a, fix viscous b" */
-static void name_fixes(const struct tsim *sim, size_t i, struct ts_str *names)
+struct names {
+	int n;
+	const struct ts_instance *last;
+	struct ts_str list; /* "fix spring/self a, fix viscous b" */
+};
+
+static void find_names(const struct tsim *sim, size_t i, struct names *names)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	struct ts_ground_springs sum = { .rate = 0 };
+	struct ts_ground_springs sum = { .turning = 0 };
 
 	for (size_t k = 0; k < fixes->n; k++)
-		if (add_fix(fixes->item[k], sim, i, &sum))
-			ts_str_addf(names, "%sfix %s %s", names->length ? ", " : "",
-				    fixes->item[k]->style->name, fixes->item[k]->id);
+		if (add_fix(fixes->item[k], sim, i, &sum)) {
+			names->last = fixes->item[k];
+			ts_str_addf(&names->list, "%sfix %s %s", names->n++ ? ", " : "",
+				    names->last->style->name, names->last->id);
+		}
 }
 
 static enum ts_status report_particle(struct ts_plan_report *report, struct tsim *sim, size_t i, double limit,
 				      bool estimated)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_instance *last;
-	struct ts_str names = { 0 };
+	struct names names = { 0 };
 	enum ts_status status;
 
-	ts_ground_fixes(sim, &last);
-	name_fixes(sim, i, &names);
-	status = ts_report_limit(report, limit, !estimated && !sim->run.clamped, &last->where,
-				 "%s together, on particle %d of type %d at (%.4g %.4g %.4g)",
-				 names.text ? names.text : "fixes", p->tag[i], p->type[i], p->x[i][0],
-				 p->x[i][1], p->x[i][2]);
-	ts_str_release(&names);
+	find_names(sim, i, &names);
+	status = ts_report_limit(report, limit, !estimated && !sim->run.clamped && !sim->run.explicit_euler,
+				 &names.last->where, "%s%s, on particle %d of type %d at (%.4g %.4g %.4g)",
+				 names.list.text ? names.list.text : "fixes", names.n > 1 ? " together" : "",
+				 p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2]);
+	ts_str_release(&names.list);
 	return status;
+}
+
+/* Sets *sum to that of particle i. Returns whether no fix reports its limit in its slot `plan`. */
+static bool is_unreported(const struct tsim *sim, size_t i, struct ts_ground_springs *sum)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	bool unreported = false;
+	int n = 0;
+
+	memset(sum, 0, sizeof *sum);
+	for (size_t k = 0; k < fixes->n; k++)
+		if (add_fix(fixes->item[k], sim, i, sum)) {
+			unreported |= !fixes->item[k]->style->plan;
+			n++;
+		}
+	return n > 1 || unreported;
 }
 
 enum ts_status ts_ground_report(struct ts_plan_report *report, struct tsim *sim)
@@ -108,14 +134,14 @@ enum ts_status ts_ground_report(struct ts_plan_report *report, struct tsim *sim)
 	size_t at[2] = { 0, 0 };
 	const struct ts_instance *last;
 
-	if (ts_ground_fixes(sim, &last) < 2 || sim->run.explicit_euler)
+	if (!ts_ground_fixes(sim, &last))
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
 		bool in_body = ts_rigid_member(p, i);
 		struct ts_ground_springs sum;
 
 		if (!(p->mask[i] & moved || in_body) || p->mask[i] & prescribed ||
-		    ts_ground_of(sim, i, &sum) < 2)
+		    !is_unreported(sim, i, &sum))
 			continue;
 		sum.estimated |= in_body;
 		if (limit_of(&sum) < least[sum.estimated]) {

@@ -16,7 +16,6 @@ static enum ts_status report_limits(struct ts_plan_report *report, struct tsim *
 static void connect_limits(struct tsim *sim)
 {
 	sim->neigh->callback.find_hit = ts_tunnelling_find;
-	sim->neigh->callback.limits = report_limits;
 }
 
 const struct ts_system_style ts_limits_system = {
@@ -26,4 +25,5 @@ const struct ts_system_style ts_limits_system = {
 			      "holds particles" },
 	.no_instance = true,
 	.connect = connect_limits,
+	.limits = report_limits,
 };

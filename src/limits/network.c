@@ -15,6 +15,7 @@
 #include "bond/bond_moment.h"
 #include "box/domain.h"
 #include "contact/limits.h"
+#include "integrate/integrators.h"
 #include "limits/ground.h"
 #include "limits/lanczos.h"
 #include "math/rigid_turn.h"
@@ -53,17 +54,6 @@ static double inverse_mass(const struct network *w, size_t i)
 	const struct ts_particles *p = w->sim->particles;
 
 	return p->mask[i] & w->moving && !(p->mask[i] & w->prescribed) ? p->imass[i] : 0;
-}
-
-static uint32_t moving_groups(const struct tsim *sim)
-{
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	uint32_t groups = 0;
-
-	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style->hook[TS_STAGE_INITIAL_INTEGRATE])
-			groups |= (uint32_t)1 << fixes->item[k]->group;
-	return groups;
 }
 
 static size_t local_of(const struct ts_particles *p, size_t i)
@@ -118,7 +108,7 @@ static void set_ground(const struct network *w, size_t node, struct ts_lanczos_b
 	ts_ground_of(w->sim, node, &g);
 	for (int d = 0; d < 3; d++)
 		b->spring[d] = g.frequency2[d] / b->inverse_mass;
-	b->drag[0] = g.rate / b->inverse_mass;
+	b->drag[0] = fmax(fmax(g.rate[0], g.rate[1]), g.rate[2]) / b->inverse_mass;
 	b->drag[1] = w->rotates ? g.turning * ts_inertia(w->sim, node) : 0;
 }
 
@@ -597,11 +587,16 @@ static enum ts_status search_places(struct network *w, struct ts_plan_report *re
 static double grounded_score(const struct network *w, size_t i)
 {
 	struct ts_ground_springs g;
+	double frequency2 = 0, rate;
 
 	if (!ts_ground_of(w->sim, i, &g))
 		return 0;
-	return w->score[i] + fmax(fmax(g.frequency2[0], g.frequency2[1]), g.frequency2[2]) +
-	       2 * fmax(g.rate, g.turning) / w->sim->clock.dt;
+	rate = g.turning;
+	for (int d = 0; d < 3; d++) {
+		frequency2 = fmax(frequency2, g.frequency2[d]);
+		rate = fmax(rate, g.rate[d]);
+	}
+	return w->score[i] + frequency2 + 2 * rate / w->sim->clock.dt;
 }
 
 /* Contacts and bonds together with what fixes put between particles and the ground (layers of fluid, springs), where a
@@ -657,7 +652,7 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 
 	w.bond = sim->bonds->n ? ts_sim_only(sim, TS_KIND_BOND) : NULL;
 	w.prescribed = ts_prescribed(sim);
-	w.moving = moving_groups(sim);
+	w.moving = ts_integrated_groups(sim, TS_MOVES | TS_OBEYS);
 	w.rotates = sim->particles->omega && sim->particles->torque;
 	if (sim->run.explicit_euler || (!w.pair && !w.bond) ||
 	    (w.pair && sim->neigh->contacts.particles != sim->particles->n))

@@ -450,7 +450,6 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const struct ts_neigh *nb = self->state;
 	size_t list = nb->contacts.n;
 
-	TS_TRY(nb->callback.limits(report, sim));
 	if (!nb->wanted) {
 		ts_report_left_out(report, "contact list", TS_FULL_CONTACTS, 0, "no pair_style");
 		return TS_OK;

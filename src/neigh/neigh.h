@@ -38,8 +38,6 @@ struct ts_neigh_callbacks {
 	 * may have met something on its path: *hit is its index, on the rank that has it; else SIZE_MAX. `what`, of `room`
 	 * bytes, describes it for a message: " past ...". All ranks call it. */
 	enum ts_status (*find_hit)(struct tsim *sim, size_t *hit, char *what, size_t room);
-	/* Reports the limits of the time step of coupled contacts, walls and bonds, and of what holds particles. */
-	enum ts_status (*limits)(struct ts_plan_report *report, struct tsim *sim);
 };
 
 struct ts_neigh {

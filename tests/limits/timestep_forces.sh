@@ -38,21 +38,21 @@ limit() {
 		END { d = found - wanted; if (d < 0) d = -d; ok = wanted > 0 && d <= 2e-5 * wanted; print "found", found, "wanted", wanted; exit !ok }' out >found
 	report "$what" $? found
 }
-limit 'spring/self, of the lightest' 'fix spring/self, 2 sqrt(m/K)' '2*sqrt(v_m/v_K)' 'fix a all spring/self ${K}'
+limit 'spring/self, of the lightest' 'fix spring/self a, on particle 1 of' '2*sqrt(v_m/v_K)' 'fix a all spring/self ${K}'
 limit 'tether: of the whole group' 'fix spring, 2 sqrt(m/K)' '2*sqrt((v_m+v_M)/v_K)' 'fix a all spring tether ${K} 0 0 0 0'
 limit 'couple: the reduced mass' 'fix spring, 2 sqrt(m/K)' '2*sqrt(v_m*v_M/(v_m+v_M)/v_K)' \
 	'fix a light spring couple heavy ${K} 0 0 0 0'
-limit 'viscous' 'fix viscous, 2 m/gamma' '2*v_m/7.13' 'fix a all viscous 7.13'
-limit 'viscous, of the type that is braked most' 'fix viscous, 2 m/gamma' '2*v_M/(7.13*9)' 'fix a all viscous 7.13 scale 2 9'
-limit 'viscous/sphere' 'fix viscous/sphere, 2 I/gamma' '2*0.4*v_m*0.1^2/7.13' 'fix a all viscous/sphere 7.13'
-limit 'langevin' 'fix langevin, 2 damp' '2*0.37' 'fix a all langevin 300 300 0.37 86028157'
-limit 'langevin, of the type with the shortest time' 'fix langevin, 2 damp' '2*0.37*0.5' \
+limit 'viscous' 'fix viscous a, on particle 1 of' '2*v_m/7.13' 'fix a all viscous 7.13'
+limit 'viscous, of the type that is braked most' 'fix viscous a, on particle 2 of' '2*v_M/(7.13*9)' 'fix a all viscous 7.13 scale 2 9'
+limit 'viscous/sphere' 'fix viscous/sphere a, on particle 1 of' '2*0.4*v_m*0.1^2/7.13' 'fix a all viscous/sphere 7.13'
+limit 'langevin' 'fix langevin a, on particle 1 of' '2*0.37' 'fix a all langevin 300 300 0.37 86028157'
+limit 'langevin, of the type with the shortest time' 'fix langevin a, on particle 2 of' '2*0.37*0.5' \
 	'fix a all langevin 300 300 0.37 86028157 scale 2 0.5'
 
 limit 'two springs' 'fix spring/self a, fix spring/self b together, on particle 1' '2*sqrt(v_m/(4*v_K))' \
 	'fix a all spring/self ${K}' 'fix b all spring/self $(3*v_K)'
-limit 'two springs of one particle only' 'fix spring/self b together, on particle 2' '2*sqrt(v_M/(4*v_K))' \
-	'fix a all spring/self ${K}' 'fix b heavy spring/self $(3*v_K)'
+limit 'two springs of one particle only' 'fix spring/self b together, on particle 2' '2*sqrt(v_M/(6*v_K))' \
+	'fix a all spring/self ${K}' 'fix b heavy spring/self $(5*v_K)'
 limit 'springs across each other' 'fix spring/self b together' '2*sqrt(v_m/(3*v_K))' \
 	'fix a all spring/self ${K} x' 'fix b all spring/self $(3*v_K) yz'
 limit 'a spring and a dashpot' 'fix viscous b together' '2/(sqrt(v_K/v_m+(7.13/2/v_m)^2)+7.13/2/v_m)' \
@@ -63,6 +63,22 @@ limit 'two dashpots of the rotation' 'fix viscous/sphere b together' '2/(3*7.13/
 	'fix a all viscous/sphere 7.13' 'fix b all viscous/sphere $(2*7.13)'
 limit 'a tether of the particle alone' 'fix spring a, fix spring/self b together' '2*sqrt(v_m/(3*v_K))' \
 	'fix a light spring tether ${K} 0 0 0 0' 'fix b light spring/self $(2*v_K)'
+
+fluid='flow_style uniform velocity 0 0 0 viscosity 3.3 density 1000'
+c='(3*PI*3.3*0.2)'
+limit 'a spring and explicit drag' 'fix drag/stokes d together, on particle 1' "2/(sqrt(v_K/v_m+($c/2/v_m)^2)+$c/2/v_m)" \
+	"$fluid" 'fix a all spring/self ${K}' 'fix d all drag/stokes'
+limit 'explicit drag across a spring' 'fix drag/stokes d together, on particle 1' "2*v_m/$c" \
+	"$fluid" 'fix a all spring/self 1 xz' 'fix d all drag/stokes axes y'
+limit 'two explicit drags' 'fix drag/stokes e together, on particle 1' "v_m/$c" "$fluid" 'fix d all drag/stokes' 'fix e all drag/stokes'
+limit 'explicit drag alone' 'explicit fix drag/stokes, 2 tau' "2*v_m/$c" "$fluid" 'fix d all drag/stokes'
+limit 'drag that relaxes has no limit' 'fix spring/self a, on particle 1 of' '2*sqrt(v_m/v_K)' "$fluid" 'fix a all spring/self ${K}' \
+	'fix d all drag/stokes scheme exact'
+limit 'with added mass' 'fix spring/self a, on particle 1 of' '2*sqrt(1.5*v_m/v_K)' "$fluid" 'fix a all spring/self ${K}' \
+	'fix e all added_mass'
+limit 'drag of another program' 'fix couple/cfd/force/implicit d together, on particle 1' \
+	'2/(sqrt(v_K/v_m+(7.13/2/v_m)^2)+7.13/2/v_m)' 'fix k all property/atom Ksl scalar yes no no 7.13' 'fix a all spring/self ${K}' \
+	'fix c all couple/cfd couple_every 1 mpi' 'fix d all couple/cfd/force/implicit'
 limit 'a contact of held particles' 'contacts together with fix spring/self' '2*sqrt(v_m/(2*71.3+v_K))' \
 	'set atom 2 type 1' 'set type 1 diameter 0.2 density 1000' 'set atom 2 x 0.199' 'fix a all spring/self ${K}'
 limit 'a contact across the springs' 'contacts together with fix spring/self' '2*sqrt(v_m/(2*71.3))' \
@@ -84,10 +100,10 @@ printf '%s\n' 'include in.grains' 'fix a all spring tether ${K} $(xcm(all,x)) 0 
 report 'advice' $? out
 # frozen particles do not move
 printf '%s\n' 'include in.grains' 'fix a light spring/self ${K}' 'fix b light viscous 7.13' 'fix hold light freeze' 'run 3' >in.frozen
-"$TSIM" -explain -in in.frozen -log none >out 2>&1 && ! grep -q 'fix viscous b together' out && grep -q 'fix spring/self, 2 sqrt' out
+"$TSIM" -explain -in in.frozen -log none >out 2>&1 && ! grep -q 'fix spring/self a' out && grep -q 'time step' out
 report 'not of frozen particles' $? out
 sed 's,nve/sphere,nve/noforce,' in.grains >in.straight
 printf '%s\n' 'include in.straight' 'fix a light spring/self ${K}' 'fix b light viscous 7.13' 'run 3' >in.noforce
-"$TSIM" -explain -in in.noforce -log none >out 2>&1 && ! grep -q 'fix viscous b together' out && grep -q 'fix spring/self, 2 sqrt' out
+"$TSIM" -explain -in in.noforce -log none >out 2>&1 && ! grep -q 'fix spring/self a' out && grep -q 'time step' out
 report 'not of particles that obey no force' $? out
 finish
