@@ -26,11 +26,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static bool is_listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
-{
-	return ts_contact_touches(&sim->neigh->contacts, r) && ts_contact_counts(sim, r, self->group);
-}
-
 /* The tangential force exerts a torque of the same direction on both particles, each with its own lever arm.
  */
 static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
@@ -118,22 +113,21 @@ static void collect_facts(const struct tsim *sim, size_t r, const bool *wanted, 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	size_t history = sim->neigh->contacts.history_width, n = 0;
+	size_t history = sim->neigh->contacts.history_width;
 	size_t width = ts_contact_columns_width(&s->columns, history);
 	struct ts_contact_facts facts;
+	struct ts_contact_rows rows;
+	enum ts_status status;
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
-	for (size_t r = 0; r < sim->neigh->contacts.n; r++)
-		n += is_listed(self, sim, r);
-	TS_TRY(ts_table_resize(out, n, width));
-	n = 0;
-	for (size_t r = 0; r < sim->neigh->contacts.n; r++) {
-		if (!is_listed(self, sim, r))
-			continue;
-		collect_facts(sim, r, s->columns.wanted, &facts);
-		ts_contact_columns_write(&s->columns, history, &facts, out->data + width * n++);
+	TS_TRY(ts_contact_rows(s->sim, self->group, true, &rows));
+	status = ts_table_resize(out, rows.n, width);
+	for (size_t n = 0; n < rows.n && status == TS_OK; n++) {
+		collect_facts(sim, rows.row[n].r, s->columns.wanted, &facts);
+		ts_contact_columns_write(&s->columns, history, &facts, out->data + width * n);
 	}
-	return TS_OK;
+	ts_contact_rows_release(&rows);
+	return status;
 }
 
 static const struct ts_value values[] = {

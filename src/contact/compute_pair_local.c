@@ -23,30 +23,24 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				 &s->list);
 }
 
-static bool is_listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
-{
-	return ts_contact_touches(&sim->neigh->contacts, r) && ts_contact_counts(sim, r, self->group);
-}
-
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	size_t rows = sim->neigh->contacts.n, n = 0;
+	struct ts_contact_rows rows;
+	enum ts_status status;
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
-	TS_TRY(ts_table_resize(out, rows, s->list.n));
-	for (size_t r = 0; r < rows; r++) {
+	TS_TRY(ts_contact_rows(s->sim, self->group, true, &rows));
+	status = ts_table_resize(out, rows.n, s->list.n);
+	for (size_t n = 0; n < rows.n && status == TS_OK; n++) {
 		struct ts_contact_view view;
 
-		if (!is_listed(self, sim, r))
-			continue;
-		ts_contact_view(sim, r, &view);
+		ts_contact_view(sim, rows.row[n].r, &view);
 		for (size_t k = 0; k < s->list.n; k++)
 			out->data[n * s->list.n + k] = columns[s->list.item[k]].value(sim, &view);
-		n++;
 	}
-	out->rows = n;
-	return TS_OK;
+	ts_contact_rows_release(&rows);
+	return status;
 }
 
 static const struct ts_value values[] = {

@@ -70,40 +70,52 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static bool is_listed(const struct ts_instance *self, const struct tsim *sim, enum list list, size_t r)
+static void write_row(const struct property *s, const struct tsim *sim, const struct ts_contact_view *view,
+		      struct ts_table *out, size_t n)
 {
-	const struct ts_particles *p = sim->particles;
+	for (size_t k = 0; k < s->list.n; k++)
+		out->data[n * s->list.n + k] = columns[s->list.item[k]].value(sim, view);
+}
 
-	if (list == BONDS)
-		return ts_in_group(p, (size_t)sim->bonds->row[r][0], self->group) &&
-		       ts_in_group(p, (size_t)sim->bonds->row[r][1], self->group);
-	return (list == NEIGHBOURS || ts_contact_touches(&sim->neigh->contacts, r)) &&
-	       ts_contact_counts(sim, r, self->group);
+static enum ts_status list_bonds(const struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct property *s = self->state;
+	size_t n = 0;
+
+	TS_TRY(ts_table_resize(out, sim->bonds->n, s->list.n));
+	for (size_t b = 0; b < sim->bonds->n; b++) {
+		struct ts_contact_view view;
+
+		if (!ts_in_group(sim->particles, (size_t)sim->bonds->row[b][0], self->group) ||
+		    !ts_in_group(sim->particles, (size_t)sim->bonds->row[b][1], self->group))
+			continue;
+		ts_contact_view_of_bond(sim, b, &view);
+		write_row(s, sim, &view, out, n++);
+	}
+	out->rows = n;
+	return TS_OK;
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct property *s = self->state;
 	enum list list = columns[s->list.item[0]].list;
-	size_t rows = list == BONDS ? sim->bonds->n : sim->neigh->contacts.n, n = 0;
+	struct ts_contact_rows rows;
+	enum ts_status status;
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
-	TS_TRY(ts_table_resize(out, rows, s->list.n));
-	for (size_t r = 0; r < rows; r++) {
+	if (list == BONDS)
+		return list_bonds(self, sim, out);
+	TS_TRY(ts_contact_rows(s->sim, self->group, list != NEIGHBOURS, &rows));
+	status = ts_table_resize(out, rows.n, s->list.n);
+	for (size_t n = 0; n < rows.n && status == TS_OK; n++) {
 		struct ts_contact_view view;
 
-		if (!is_listed(self, sim, list, r))
-			continue;
-		if (list == BONDS)
-			ts_contact_view_of_bond(sim, r, &view);
-		else
-			ts_contact_view(sim, r, &view);
-		for (size_t k = 0; k < s->list.n; k++)
-			out->data[n * s->list.n + k] = columns[s->list.item[k]].value(sim, &view);
-		n++;
+		ts_contact_view(sim, rows.row[n].r, &view);
+		write_row(s, sim, &view, out, n);
 	}
-	out->rows = n;
-	return TS_OK;
+	ts_contact_rows_release(&rows);
+	return status;
 }
 
 static const struct ts_value values[] = {

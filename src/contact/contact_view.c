@@ -2,6 +2,8 @@
 
 #include <inttypes.h>
 
+#include "base/alloc.h"
+#include "base/sort.h"
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "math/vec3.h"
@@ -85,6 +87,49 @@ bool ts_contact_counts(const struct tsim *sim, size_t r, int group)
 	if (j < p->n || p->tag[i] < p->tag[j])
 		return true;
 	return p->tag[i] == p->tag[j] && ts_contact_image(list, r) > TS_IMAGE_SELF;
+}
+
+static int by_identities(const void *one, const void *other)
+{
+	const struct ts_contact_row *a = one, *b = other;
+
+	if (a->pair != b->pair)
+		return a->pair < b->pair ? -1 : 1;
+	if (a->image != b->image)
+		return a->image < b->image ? -1 : 1;
+	return a->r < b->r ? -1 : a->r > b->r;
+}
+
+static struct ts_contact_row row_of(const struct ts_contact_list *list, size_t r)
+{
+	const uint64_t a = (uint32_t)ts_contact_tag(list, r, 0), b = (uint32_t)ts_contact_tag(list, r, 1);
+
+	return (struct ts_contact_row){ a < b ? a << 32 | b : b << 32 | a, (int32_t)ts_contact_image(list, r),
+					r };
+}
+
+enum ts_status ts_contact_rows(struct tsim *sim, int group, bool touching, struct ts_contact_rows *rows)
+{
+	const struct ts_contact_list *list = &sim->neigh->contacts;
+	size_t n = 0;
+
+	rows->n = 0;
+	for (size_t r = 0; r < list->n; r++)
+		n += !touching || ts_contact_touches(list, r);
+	rows->row = ts_alloc(n, sizeof *rows->row);
+	if (!rows->row)
+		return ts_nomem(&sim->error);
+	for (size_t r = 0; r < list->n; r++)
+		if ((!touching || ts_contact_touches(list, r)) && ts_contact_counts(sim, r, group))
+			rows->row[rows->n++] = row_of(list, r);
+	ts_sort(rows->row, rows->n, sizeof *rows->row, by_identities);
+	return TS_OK;
+}
+
+void ts_contact_rows_release(struct ts_contact_rows *rows)
+{
+	ts_free(rows->row);
+	*rows = (struct ts_contact_rows){ 0 };
 }
 
 void ts_contact_view(const struct tsim *sim, size_t r, struct ts_contact_view *view)

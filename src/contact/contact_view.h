@@ -33,6 +33,21 @@ struct ts_contact_view {
 /* Whether pair r of the contact list is to be output: both particles are in the group; of the two entries of
  * a pair across a periodic face, only one. */
 bool ts_contact_counts(const struct tsim *sim, size_t r, int group);
+
+/* Pairs of the contact list that are to be output, in the order of the identities of their particles, which does not depend
+ * on how particles lie in memory. */
+struct ts_contact_rows {
+	struct ts_contact_row {
+		uint64_t pair; /* both identities, the smaller one first */
+		int32_t image;
+		size_t r;
+	} * row; /* [n]. Owned */
+	size_t n;
+};
+/* touching: contacts only. */
+enum ts_status ts_contact_rows(struct tsim *sim, int group, bool touching, struct ts_contact_rows *rows);
+void ts_contact_rows_release(struct ts_contact_rows *rows);
+
 void ts_contact_view(const struct tsim *sim, size_t r, struct ts_contact_view *view);
 void ts_contact_view_of_bond(const struct tsim *sim, size_t b, struct ts_contact_view *view);
 

@@ -92,10 +92,6 @@ struct bounds {
 	double lo, hi;
 	bool above;
 };
-#define ANY                                \
-	{                                  \
-		-INFINITY, INFINITY, false \
-	}
 #define POSITIVE                  \
 	{                         \
 		0, INFINITY, true \
@@ -131,10 +127,10 @@ static const struct property of_pairs[] = {
 	PAIR(ABSOLUTE_DAMPING, "gamman_abs", gamman, NOT_NEGATIVE),
 	PAIR(ABSOLUTE_DAMPING, "gammat_abs", gammat, NOT_NEGATIVE),
 	PAIR(RESTITUTION, "coefficientRestitution", log_restitution, { 0.05, 1, true }),
-	PAIR(FRICTION, "coefficientFriction", friction, ANY),
-	PAIR(ROLLING, "coefficientRollingFriction", rolling_friction, ANY),
-	PAIR(ROLLING_DASHPOT, "coefficientRollingViscousDamping", rolling_viscosity, ANY),
-	PAIR(COHESION, "cohesionEnergyDensity", cohesion, ANY),
+	PAIR(FRICTION, "coefficientFriction", friction, NOT_NEGATIVE),
+	PAIR(ROLLING, "coefficientRollingFriction", rolling_friction, NOT_NEGATIVE),
+	PAIR(ROLLING_DASHPOT, "coefficientRollingViscousDamping", rolling_viscosity, NOT_NEGATIVE),
+	PAIR(COHESION, "cohesionEnergyDensity", cohesion, NOT_NEGATIVE),
 	PAIR(ADHESION, "workOfAdhesion", surface_energy, NOT_NEGATIVE),
 	PAIR(VISCOUS, "FluidViscosity", viscosity, POSITIVE),
 	PAIR(VISCOUS, "CriticalStokes", critical_stokes, POSITIVE),

@@ -29,7 +29,7 @@ static const char doc[] =
 	"is\n\n"
 	"* `contact_area overlap`: the area of the circle in which the spheres intersect. With "
 	"`area_correction yes` the overlap is first multiplied by (Y*/Y*_original)^(1/a), with a = 3/2 for "
-	"hertz and a = 1 for hooke, and Y*_original from youngsModulusOriginal.\n"
+	"hertz and a = 1 for hooke, and Y*_original from youngsModulusOriginal; at walls, too.\n"
 	"* `contact_area constant A`: the number A.\n"
 	"* `contact_area projection`: pi R^2 of the larger sphere.\n\n"
 	"Particles that are not in the group keep their temperature, but exchange heat with those of the "

@@ -57,7 +57,7 @@ static inline void ts_bond_section_damping(const double ratio[TS_BOND_MODES], co
 	for (int m = 0; m < TS_BOND_MODES; m++) {
 		const double *of = m < TS_BOND_BENDING ? mass : inertia;
 
-		e->c[m] = 2 * ratio[m] * sqrt(e->k[m] * of[0] * of[1] / (of[0] + of[1]));
+		e->c[m] = 2 * ratio[m] * sqrt(e->k[m] * (of[0] * of[1] / (of[0] + of[1])));
 	}
 }
 
@@ -71,7 +71,7 @@ static inline double ts_bond_scatter_factor(const struct ts_bond_strength *s, st
 	if (s->scatter == TS_BOND_GAUSS)
 		do
 			factor = 1 + s->deviation * ts_rng_normal(rng);
-		while (!(factor > 0));
+		while (factor <= 0);
 	return factor;
 }
 

@@ -47,7 +47,8 @@ static inline double ts_heat_area_of_spheres(const struct ts_heat_contact *c, do
 }
 
 /* Contact area at a wall; r: distance of the centre from the wall. */
-static inline double ts_heat_area_at_wall(const struct ts_heat_contact *c, double r, double radius)
+static inline double ts_heat_area_at_wall(const struct ts_heat_contact *c, double r, double radius,
+					  double softening)
 {
 	switch (c->kind) {
 	case TS_HEAT_CONSTANT:
@@ -55,7 +56,7 @@ static inline double ts_heat_area_at_wall(const struct ts_heat_contact *c, doubl
 	case TS_HEAT_PROJECTION:
 		return TS_PI * radius * radius;
 	default:
-		return ts_lens_of_plane(r, radius);
+		return ts_lens_of_plane(radius - softening * (radius - r), radius);
 	}
 }
 

@@ -50,7 +50,7 @@ TS_INLINE double ts_rolling_inertia(const struct ts_granular_model *m, const str
 	double a = t->mass[0] * t->radius[0] * t->radius[0];
 	double b = t->mass[1] * t->radius[1] * t->radius[1];
 
-	return t->wall ? factor * t->mass[0] * t->r_eff * t->r_eff : factor * a * b / (a + b);
+	return t->wall ? factor * t->mass[0] * t->r_eff * t->r_eff : factor * (a * b / (a + b));
 }
 
 /* The spring torque includes the present increment also in the set-up of a run, as in LIGGGHTS, but is

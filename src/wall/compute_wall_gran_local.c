@@ -1,4 +1,6 @@
 /* Compute: contacts with walls in the columns of LIGGGHTS. */
+#include "base/alloc.h"
+#include "base/sort.h"
 #include "contact/contact_columns.h"
 #include "particle/particles.h"
 #include "wall/wall.h"
@@ -86,24 +88,41 @@ static bool is_listed(const struct ts_instance *self, const struct ts_wall *w, s
 	       (r->mesh > 0 || s->primitives);
 }
 
-/* Writes one row for each contact, in the order of walls and of their contacts, and returns the number of
- * rows; out NULL: only counts. */
-static size_t list_contacts(const struct ts_instance *self, size_t history, double *out)
+struct listed {
+	const struct ts_wall *wall;
+	int at, meshes_before;
+	int32_t tag;
+	size_t k;
+};
+
+/* By walls, in the order of the script, identities of particles, and the order of the contacts of a particle: so it does not
+ * depend on how particles lie in memory. */
+static int by_wall_and_identity(const void *one, const void *other)
+{
+	const struct listed *a = one, *b = other;
+
+	if (a->at != b->at)
+		return a->at < b->at ? -1 : 1;
+	if (a->tag != b->tag)
+		return a->tag < b->tag ? -1 : 1;
+	return a->k < b->k ? -1 : a->k > b->k;
+}
+
+/* Returns the number of contacts; list NULL: only counts. */
+static size_t list_contacts(const struct ts_instance *self, struct listed *list)
 {
 	const struct state *s = self->state;
-	size_t width = ts_contact_columns_width(&s->columns, history), n = 0;
 	const struct ts_wall *w;
-	struct ts_contact_facts facts;
-	int meshes_before = 0;
+	int meshes_before = 0, wall = 0;
+	size_t n = 0;
 
-	for (size_t at = 0; (w = ts_walls_next(s->sim, &at, NULL));) {
+	for (size_t at = 0; (w = ts_walls_next(s->sim, &at, NULL)); wall++) {
 		for (size_t k = 0; k < w->contacts.n; k++) {
 			if (!is_listed(self, w, k))
 				continue;
-			if (out) {
-				contact_facts(s->sim, w, k, meshes_before, &facts);
-				ts_contact_columns_write(&s->columns, history, &facts, out + width * n);
-			}
+			if (list)
+				list[n] = (struct listed){ w, wall, meshes_before,
+							   s->sim->particles->tag[w->contacts.row[k]], k };
 			n++;
 		}
 		meshes_before += (int)ts_wall_meshes(w);
@@ -115,17 +134,31 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 {
 	const struct state *s = self->state;
 	const struct ts_wall *w;
-	size_t history = 0, n;
+	struct listed *list;
+	size_t history = 0, width, n;
+	enum ts_status status;
 
 	for (size_t at = 0; (w = ts_walls_next(sim, &at, NULL));) {
 		size_t own = ts_wall_history(w, sim);
 
 		history = own > history ? own : history;
 	}
-	n = list_contacts(self, history, NULL);
-	TS_TRY(ts_table_resize(out, n, ts_contact_columns_width(&s->columns, history)));
-	list_contacts(self, history, out->data);
-	return TS_OK;
+	n = list_contacts(self, NULL);
+	width = ts_contact_columns_width(&s->columns, history);
+	list = ts_alloc(n, sizeof *list);
+	status = list ? ts_table_resize(out, n, width) : ts_nomem(&s->sim->error);
+	if (status == TS_OK) {
+		list_contacts(self, list);
+		ts_sort(list, n, sizeof *list, by_wall_and_identity);
+	}
+	for (size_t r = 0; r < n && status == TS_OK; r++) {
+		struct ts_contact_facts facts;
+
+		contact_facts(sim, list[r].wall, list[r].k, list[r].meshes_before, &facts);
+		ts_contact_columns_write(&s->columns, history, &facts, out->data + width * r);
+	}
+	ts_free(list);
+	return status;
 }
 
 static const struct ts_value values[] = {

@@ -46,11 +46,6 @@ static enum ts_status check_words(struct ts_instance *self, struct tsim *sim, co
 	if (w->type != INT64_MIN)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
 			       "fix wall/gran: each mesh has the type that its fix says");
-	if (ts_wall_has_law(w, sim) && ts_cohesion_bridges(ts_wall_model(w, sim)))
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
-			       "triangles do not follow; take a plane, a cylinder or a region, or leave "
-			       "cohesion out");
 	return TS_OK;
 }
 

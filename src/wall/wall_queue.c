@@ -99,12 +99,13 @@ static struct heat conduct(const struct ts_wall *w, struct tsim *sim, size_t i,
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_heat *heat = point->warm ? ts_heat_of(sim) : NULL;
-	double k, h;
+	double k, h, softening;
 
 	if (!heat || !(point->distance < p->radius[i])) /* no conduction through a contact without touch */
 		return (struct heat){ 0 };
 	k = w->conductivity[point->type * (w->ntypes + 1) + p->type[i]];
-	h = ts_heat_conductance(k, ts_heat_area_at_wall(&w->area, point->distance, p->radius[i]));
+	softening = heat->softening ? heat->softening[point->type * (heat->ntypes + 1) + p->type[i]] : 1;
+	h = ts_heat_conductance(k, ts_heat_area_at_wall(&w->area, point->distance, p->radius[i], softening));
 	return (struct heat){ h, -ts_heat_from_wall(heat, sim, i, h, point->temperature),
 			      point->temperature };
 }
