@@ -260,6 +260,16 @@ class Particles(Case):
         self.assertEqual(len(self.sim), 1)
         self.assertRaises(tsim.TsimError, self.sim.create, [[99, 0, 0]])
         self.assertRaises(ValueError, self.sim.create, [1, 2])
+        first = self.sim.tag[0]
+        for wraps in (2**32 + int(first), -2**31 - 1, 2**31):
+            with self.assertRaisesRegex(ValueError, "identities .* not %d" % wraps):
+                self.sim.delete([wraps])
+            self.assertRaises(ValueError, self.sim.gather, "x", [wraps])
+            self.assertRaises(ValueError, self.sim.scatter, "vx", 1.0, [wraps])
+        self.assertRaises(ValueError, self.sim.create, [[0.1, 0.1, 0.9]], type=2**32 + 1)
+        self.assertIn(first, list(self.sim.tag))
+        self.assertRaises(ValueError, self.sim.step, 1.5)
+        self.assertRaises(ValueError, self.sim.value, "ke\0x")
         self.assertTrue(self.sim)
 
     def test_memory_is_shared(self):

@@ -178,7 +178,10 @@ if os.path.isdir(_potentials):
 
 
 def _bytes(text: object) -> bytes:
-    return os.fsencode(text) if isinstance(text, os.PathLike) else str(text).encode()
+    made = os.fsencode(text) if isinstance(text, os.PathLike) else str(text).encode()
+    if b"\0" in made:  # C would take it as the end
+        raise ValueError("%r has a null character" % (text,))
+    return made
 
 
 def _text(raw: Optional[bytes]) -> str:

@@ -44,6 +44,13 @@ def _doubles(values: Any, n: Optional[int] = None, what: str = "values") -> Tupl
     return made, pointer
 
 
+def _check_range(least: Any, most: Any, what: str) -> None:
+    """A C int32 would wrap round without a word."""
+    for value in (least, most):
+        if not -2**31 <= value < 2**31:
+            raise ValueError("%s have to be from -2147483648 to 2147483647, not %d" % (what, value))
+
+
 def _integers(values: Any, n: Optional[int] = None, what: str = "values") -> Tuple[Any, Any]:
     if numpy is not None:
         made = numpy.asarray(values)
@@ -51,11 +58,16 @@ def _integers(values: Any, n: Optional[int] = None, what: str = "values") -> Tup
             made = numpy.full(n, made)
         if made.size and not numpy.array_equal(made, numpy.trunc(made)):
             raise ValueError("%s have to be whole numbers" % what)
+        if made.size:
+            _check_range(made.min(), made.max(), what)
         made = numpy.ascontiguousarray(made, dtype=numpy.int32).reshape(-1)
         pointer = made.ctypes.data_as(_c_int32_p)
     else:
         if isinstance(values, int) and n is not None:
             values = [values] * n
+        values = list(values)
+        if values:
+            _check_range(min(values), max(values), what)
         made = array.array("i", values)
         pointer = ctypes.cast(made.buffer_info()[0], _c_int32_p)
     if n is not None and len(made) != n:

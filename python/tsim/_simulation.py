@@ -250,6 +250,8 @@ class Simulation(LammpsNames):
         after a change from outside forces are computed anew. Ctrl-C is heeded every 1000 steps.
         progress: a bar; None: in a notebook, where the steps take more than a second.
         """
+        if n != int(n):
+            raise ValueError("%r is not a number of steps" % (n,))
         n = whole = int(n)
         bar = Progress() if progress or (progress is None and in_notebook()) else None
         try:

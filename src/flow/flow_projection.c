@@ -482,13 +482,16 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	if (!report->limits_only)
 		TS_TRY(report_plan(self, sim, report));
 	if (!p->substeps)
-		return TS_OK;
+		return report->limits_only
+			       ? TS_OK
+			       : ts_projection_choose_substeps(self, sim, (double)p->every * sim->clock.dt);
 	limits = find_limits(p, sim);
 	TS_TRY(ts_report_limit(report, limits.viscous / steps, true, &self->where,
-			       "the fluid's viscosity and convection (time %s), or use substeps auto",
+			       "the fluid's viscosity and convection (time %s), which `substeps auto` avoids",
 			       scheme->name));
 	TS_TRY(ts_report_limit(report, limits.courant / steps, true, &self->where,
-			       "the fluid's Courant number, %g h/u, or use substeps auto", scheme->courant));
+			       "the fluid's Courant number, %g h/u, which `substeps auto` avoids",
+			       scheme->courant));
 	ts_report_watched(report, before);
 	return ts_report_limit(report, limits.growth / steps, false, &self->where,
 			       "slow growth of convected waves that viscosity does not damp (time %s)",

@@ -244,21 +244,36 @@ enum ts_status ts_projection_substep(struct ts_instance *self, struct tsim *sim,
 	return call_after_substep(sim, fluid, dt);
 }
 
+/* What limits the stable step of the fluid most. */
+static const char *what_limits(const struct ts_projection *p, double parts)
+{
+	const struct ts_flow_limits limits = ts_flow_limits(p);
+
+	if (parts < fmin(limits.viscous, fmin(limits.courant, limits.growth)))
+		return "by a fix that acts on the fluid";
+	if (limits.growth < fmin(limits.viscous, limits.courant))
+		return "as its time scheme does not damp convection without viscosity: use time rk3";
+	return limits.viscous < limits.courant
+		       ? "by its viscosity: use a smaller `timestep` or viscous implicit"
+		       : "by its velocity: use a smaller `timestep`";
+}
+
 enum ts_status ts_projection_choose_substeps(struct ts_instance *self, struct tsim *sim, double length)
 {
 	static const double MOST = 1e6;
 	struct ts_projection *p = self->state;
-	double limit;
+	double limit, parts;
 
 	p->done = p->substeps;
 	if (p->substeps)
 		return TS_OK;
-	limit = p->courant * fmin(ts_flow_limit(p), limit_of_parts(sim, &p->fluid));
+	parts = limit_of_parts(sim, &p->fluid);
+	limit = p->courant * fmin(ts_flow_limit(p), parts);
 	if (!(length <= MOST * limit))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "the fluid's stable step is %g, less than a millionth of the %g it is to "
-			       "make: time %s does not damp convection without viscosity; use time rk3",
-			       limit / p->courant, length, ts_flow_time_names[p->time]);
+			       "make, limited %s",
+			       limit / p->courant, length, what_limits(p, parts));
 	p->done = length > limit ? (int64_t)ceil(length / limit) : 1;
 	return TS_OK;
 }

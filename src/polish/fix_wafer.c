@@ -47,8 +47,10 @@ static int segments_of(const struct ts_voxel_field *f, int d, int64_t i, double 
 {
 	double size = (double)f->n[d] * f->width[d], from = (double)i * f->width[d], inside;
 
-	if (f->periodic[d])
+	if (f->periodic[d]) {
+		shift = fmod(shift, size); /* exact: the field may have moved far */
 		from += shift - floor((from + shift) / size) * size;
+	}
 	inside = fmin(size - from, f->width[d]);
 	if (!(inside < f->width[d] * (1 - 1e-12))) {
 		out[0] = (struct segment){ from + 0.5 * f->width[d] - 0.5 * size, f->width[d] };

@@ -10,6 +10,7 @@
 #include "flow/flow.h"
 #include "flow/fluid_slabs.h"
 #include "flow/flow_arguments.h"
+#include "flow/projection.h"
 #include "heat/heat.h"
 #include "law/drag.h"
 #include "law/lift.h"
@@ -315,6 +316,23 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 /* ---- with each step of the fluid */
 
+static enum ts_status check_substeps(struct ts_instance *self, struct tsim *sim, double dt)
+{
+	static const double MOST = 1e6;
+	const struct state *s = self->state;
+	const double parts = ts_transport_parts(&s->transport, s->fluid, dt);
+
+	if (parts <= MOST)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		       "fix flow/scalar: the stable step of its diffusion and convection is %g, the step of "
+		       "the "
+		       "fluid, %g, would be %g substeps, %g at most: use a smaller `timestep`, larger cells "
+		       "or a "
+		       "smaller conductivity",
+		       ts_transport_limit(&s->transport, s->fluid), dt, parts, MOST);
+}
+
 static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				     double dt)
 {
@@ -324,6 +342,7 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 	if (s->steps > 1) /* the mean over these steps */
 		ts_fluid_divide_field(fluid, s->transport.source, (double)s->steps);
 	s->steps = s->steps ? 1 : 0;
+	TS_TRY(check_substeps(self, sim, dt));
 	ts_transport_advance(&s->transport, fluid, dt, ts_team(sim, s->size));
 	return TS_OK;
 }
@@ -442,8 +461,12 @@ static const struct ts_value values[] = {
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
+	const struct ts_projection *p = ts_sim_only(sim, TS_KIND_FLOW)->state;
 
-	(void)sim;
+	if (report->limits_only)
+		return TS_OK;
+	if (p->substeps) /* else the fluid chooses its steps later */
+		TS_TRY(check_substeps(self, sim, (double)p->every * sim->clock.dt / (double)p->substeps));
 	ts_report_line(report, "scalar",
 		       "convection %s, diffusivity %g, stable at present up to %g (divided into substeps "
 		       "automatically)",

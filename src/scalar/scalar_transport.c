@@ -209,15 +209,14 @@ static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, doub
 	}
 }
 
-/* Number of substeps over dt. */
-static long count_parts(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
+double ts_transport_parts(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
 {
-	return (long)fmin(fmax(ceil(dt / ts_transport_limit(t, fluid)), 1), 1e6);
+	return fmax(ceil(dt / ts_transport_limit(t, fluid)), 1);
 }
 
 void ts_transport_rehearse(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
 {
-	for (long k = count_parts(t, fluid, dt); k > 0; k--) {
+	for (long k = (long)ts_transport_parts(t, fluid, dt); k > 0; k--) {
 		ts_fluid_slabs_share_halo(fluid, t->stage);
 		ts_fluid_slabs_share_halo(fluid, t->value);
 	}
@@ -225,7 +224,7 @@ void ts_transport_rehearse(const struct ts_transport *t, const struct ts_fluid *
 
 long ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
 {
-	const long parts = count_parts(t, fluid, dt);
+	const long parts = (long)ts_transport_parts(t, fluid, dt);
 
 	for (long k = 0; k < parts; k++)
 		heun_step(t, fluid, dt / (double)parts, threads);

@@ -37,6 +37,8 @@ void ts_transport_fill(const struct ts_transport *transport, const struct ts_flu
 
 /* Largest stable step. */
 double ts_transport_limit(const struct ts_transport *transport, const struct ts_fluid *fluid);
+/* The number of substeps that the limit requires over dt. */
+double ts_transport_parts(const struct ts_transport *transport, const struct ts_fluid *fluid, double dt);
 /* Advances T over dt, in as many substeps as the limit requires; returns their number. */
 long ts_transport_advance(struct ts_transport *transport, const struct ts_fluid *fluid, double dt,
 			  int threads);
