@@ -105,6 +105,11 @@ static void fini(struct ts_instance *self)
 	ts_free(s->number);
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct state *)self->state)->words.n;
+}
+
 static const struct ts_value values[] = {
 	{ "count", "", "number of particles", TS_SCALAR, 1, NULL, eval_count },
 	{ "quantiles", "", "the quantiles, in the order given; 0 without particles", TS_VECTOR, 0, NULL,
@@ -143,6 +148,7 @@ const struct ts_style ts_compute_quantile = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,
+	.width = width,
 	.init = init,
 	.fini = fini,
 };

@@ -33,6 +33,7 @@ const struct ts_style ts_compute_reduce = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = ts_reduce_values,
+	.width = ts_reduce_width,
 	.init = ts_reduce_init,
 	.fini = ts_reduce_fini,
 };

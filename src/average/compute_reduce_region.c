@@ -27,6 +27,7 @@ const struct ts_style ts_compute_reduce_region = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = ts_reduce_values,
+	.width = ts_reduce_width,
 	.init = ts_reduce_init,
 	.fini = ts_reduce_fini,
 };

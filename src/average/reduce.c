@@ -158,6 +158,11 @@ void ts_reduce_fini(struct ts_instance *self)
 	ts_ref_list_release(&r->input);
 }
 
+size_t ts_reduce_width(const struct ts_instance *self)
+{
+	return ((const struct ts_reduce *)self->state)->input.n;
+}
+
 const struct ts_value ts_reduce_values[] = {
 	{ .name = "first",
 	  .unit = "",

@@ -37,6 +37,7 @@ extern const struct ts_value ts_reduce_values[];
 
 /* Slots of struct ts_style. */
 enum ts_status ts_reduce_init(struct ts_instance *self, struct tsim *sim);
+size_t ts_reduce_width(const struct ts_instance *self);
 void ts_reduce_fini(struct ts_instance *self);
 
 #endif

@@ -141,6 +141,11 @@ static enum ts_status eval_list(struct ts_instance *self, const struct tsim *sim
 	return TS_OK;
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct state *)self->state)->list.n;
+}
+
 static const struct ts_value values[] = {
 	{ "list", "", "a row for each bond", TS_LOCAL, 0, NULL, eval_list },
 	{ .name = NULL },
@@ -174,5 +179,6 @@ const struct ts_style ts_compute_bond_local = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,
+	.width = width,
 	.init = init_columns,
 };

@@ -43,6 +43,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return status;
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct state *)self->state)->list.n;
+}
+
 static const struct ts_value values[] = {
 	{ "list", "", "a row for each contact", TS_LOCAL, 0, NULL, eval },
 	{ .name = NULL },
@@ -73,5 +78,6 @@ const struct ts_style ts_compute_pair_local = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,
+	.width = width,
 	.init = init,
 };

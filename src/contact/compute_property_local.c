@@ -118,6 +118,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return status;
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct property *)self->state)->list.n;
+}
+
 static const struct ts_value values[] = {
 	{ "partners", "", "a row for each pair, the smaller ID first", TS_LOCAL, 0, NULL, eval },
 	{ .name = NULL },
@@ -150,5 +155,6 @@ const struct ts_style ts_compute_property_local = {
 	.args = args,
 	.state_size = sizeof(struct property),
 	.values = values,
+	.width = width,
 	.init = init,
 };

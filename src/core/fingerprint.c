@@ -139,5 +139,10 @@ enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 	status = hash_all(sim, out);
 	sim->reading.probing = probing;
 	sim->draws = before;
-	return status;
+	if (status == TS_OK || status == TS_NOMEM)
+		return status;
+	ts_error_clear(
+		&sim->error); /* a variable has no value before the set-up: ramp(), quantities of contacts */
+	*out = 0;
+	return TS_OK;
 }

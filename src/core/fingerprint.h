@@ -6,7 +6,8 @@
 #include "core/sim.h"
 
 /* Hash of all that forces depend on: resolved arguments of pair, bond, flow and fixes; dt; box, columns of
- * particles and what else styles add in their slot `fingerprint`. */
+ * particles and what else styles add in their slot `fingerprint`. 0: a variable has no value now, so that it cannot be told
+ * whether something has changed. */
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out);
 /* Whether that of the last run was made by an older version, as read from its restart file: it depends on the order of the
  * particles, and is compared with one that is made so, too. Others have the highest bit. */

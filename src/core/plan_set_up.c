@@ -106,7 +106,7 @@ static enum ts_status find_resuming(struct tsim *sim)
 	double changed;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	changed = sim->legacy || fingerprint != sim->run.fingerprint;
+	changed = sim->legacy || !fingerprint || fingerprint != sim->run.fingerprint;
 	if (is_apart(sim)) /* each rank has hashed its own particles */
 		ts_world_most(sim->world, &changed, 1);
 	sim->run.resuming = !(changed > 0);

@@ -33,7 +33,7 @@ static enum ts_status find_changed(struct tsim *sim, bool *changed)
 	double most;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	most = fingerprint != sim->run.fingerprint;
+	most = !fingerprint || fingerprint != sim->run.fingerprint;
 	ts_world_most(sim->world, &most, 1);
 	*changed = most > 0;
 	return TS_OK;

@@ -146,6 +146,17 @@ static const char *standard_keyword(const struct tsim *sim, const char *name)
 	return NULL;
 }
 
+size_t ts_ref_standard_elements(const struct tsim *sim, const char *head)
+{
+	size_t n = 0;
+	char name[32];
+
+	do
+		snprintf(name, sizeof name, "%s[%zu]", head, n + 1);
+	while (standard_keyword(sim, name) && ++n);
+	return n;
+}
+
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
 			      struct ts_ref *ref)
 {

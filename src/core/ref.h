@@ -24,6 +24,9 @@ struct ts_ref {
 	long column; /* j of [i][j]; 0: none given */
 };
 
+/* The number of elements of c_thermo_press, a compute that LIGGGHTS and LAMMPS define by themselves; of other names 0. */
+size_t ts_ref_standard_elements(const struct tsim *sim, const char *head);
+
 /* Resolves a name. `name` must outlive the ref (argument tables copy it to the owner's arena). If the
  * compute or fix is deleted and defined anew, the ref refers to the new one. */
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,

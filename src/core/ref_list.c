@@ -147,13 +147,18 @@ static enum ts_status count_wildcard(struct tsim *sim, const struct ts_ref_input
 
 		if (!value || !(shapes & 1u << parts[k].part) || parts[k].second != (input->ref.index != 0))
 			continue;
-		*n = value->columns;
+		*n = value->columns || !input->ref.inst->style->width
+			     ? value->columns
+			     : input->ref.inst->style->width(input->ref.inst);
 		if (*n)
 			return TS_OK;
 		TS_TRY(ts_value_cached(input->ref.inst, sim, value));
 		*n = parts[k].whole == TS_VECTOR ? table->rows * table->columns : table->columns;
 		return TS_OK;
 	}
+	*n = input->ref.inst ? 0 : ts_ref_standard_elements(sim, input->name);
+	if (*n && shapes & 1u << TS_SCALAR)
+		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &input->where, "'%s': there are no elements or columns for *",
 		       input->name);
 }

@@ -43,7 +43,7 @@ static enum ts_status is_unchanged(struct ts_stepping *stepping, struct tsim *si
 	if (!stepping->open || !stepping->watched)
 		return TS_OK;
 	TS_TRY(ts_sim_fingerprint(sim, &now));
-	*yes = now == stepping->fingerprint;
+	*yes = now && now == stepping->fingerprint;
 	return TS_OK;
 }
 

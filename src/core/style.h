@@ -207,6 +207,9 @@ struct ts_style {
 	/* Fixes: takes `n` numbers of the outside program (tsim_external); `what` is a word of the fix. */
 	enum ts_status (*take)(struct ts_instance *self, struct tsim *sim, const char *what, double *value,
 			       size_t n);
+	/* The number of columns of its local or per-particle output, or of elements of its vector, by its arguments, if ts_value
+	 * does not have it. NULL: evaluation tells. */
+	size_t (*width)(const struct ts_instance *self);
 	/* Checks of the scene that only this style can make; reported by ts_review_report, see
 	 * core/review.h. */
 	ts_hook_fn *review;
