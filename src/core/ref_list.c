@@ -163,6 +163,22 @@ static enum ts_status count_wildcard(struct tsim *sim, const struct ts_ref_input
 		       input->name);
 }
 
+/* A name of an array alone is all of its columns where vectors are expected. */
+static bool names_all_columns(struct tsim *sim, const struct ts_word *word, unsigned shapes)
+{
+	struct ts_ref ref;
+	unsigned found;
+
+	if (shapes != TS_WANT(VECTOR) || !is_reference(word->text) || strchr(word->text, '['))
+		return false;
+	if (ts_ref_resolve(sim, word->text, &word->place, &ref) != TS_OK) {
+		ts_error_clear(&sim->error); /* told when it is used */
+		return false;
+	}
+	found = ts_ref_shapes(sim, &ref);
+	return found & TS_WANT(ARRAY) && !(found & TS_WANT(VECTOR));
+}
+
 /* Appends the names that a word expands to (list NULL: only counts them). */
 static enum ts_status expand_word(struct tsim *sim, struct ts_arena *arena, const struct ts_word *word,
 				  unsigned shapes, struct ts_word *list, size_t *n)
@@ -171,7 +187,10 @@ static enum ts_status expand_word(struct tsim *sim, struct ts_arena *arena, cons
 	struct wildcard w;
 	size_t count = 0;
 
-	if (!parse_wildcard(word->text, &w)) {
+	if (names_all_columns(sim, word, shapes)) {
+		w = (struct wildcard){ .lo = 1 };
+		snprintf(w.head, sizeof w.head, "%s", word->text);
+	} else if (!parse_wildcard(word->text, &w)) {
 		if (list)
 			list[*n] = *word;
 		++*n;

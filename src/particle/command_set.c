@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <string.h>
 
 #include "bond/bonds.h"
 #include "core/ranks.h"
@@ -172,23 +173,38 @@ static int next_number(const struct state *s, size_t *at)
 	return next;
 }
 
+static bool is_variable(const struct tsim *sim, const char *text)
+{
+	return strncmp(text, "v_", 2) == 0 && sim->script_api &&
+	       sim->script_api->has_variable(sim->script_api_data, text + 2);
+}
+
 static enum ts_status set_omega(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
 				size_t *count)
 {
 	struct ts_particles *p = sim->particles;
-	double omega[3];
+	struct ts_number number[3] = { { 0 } };
+	struct ts_table table = { 0 };
+	enum ts_status status = TS_OK;
 
-	for (size_t d = 0; d < 3; d++)
-		if (words.n != 3 || !ts_parse_real(words.word[d].text, &omega[d]))
-			return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
-				       "set: omega takes three numbers");
-	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
-	for (size_t i = *count = 0; i < p->n; i++) {
-		*count += chosen[i];
-		for (int d = 0; chosen[i] && d < 3; d++)
-			p->omega[i][d] = omega[d];
+	for (size_t d = 0; d < 3; d++) {
+		if (words.n == 3 && is_variable(sim, words.word[d].text))
+			number[d].variable = words.word[d].text + 2;
+		else if (words.n != 3 || !ts_parse_real(words.word[d].text, &number[d].value))
+			return ts_fail(&sim->error, TS_SYNTAX, &words.word[words.n == 3 ? d : 0].place,
+				       "set: omega takes three numbers or variables, v_NAME");
 	}
-	return TS_OK;
+	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
+	for (size_t i = *count = 0; i < p->n; i++)
+		*count += chosen[i];
+	for (int d = 0; d < 3 && status == TS_OK; d++) {
+		status = ts_assign_values(sim, &number[d], &words.word[d].place, &table);
+		for (size_t i = 0; i < p->n && status == TS_OK; i++)
+			if (chosen[i])
+				p->omega[i][d] = table.data[i];
+	}
+	ts_table_release(&table);
+	return status;
 }
 
 /* Sets the type of the bonds of which both particles are chosen. */
@@ -372,7 +388,7 @@ static const struct ts_arg args[] = {
 	VALUE("omegax", OMEGAX, "1/time", "x component of the angular velocity"),
 	VALUE("omegay", OMEGAY, "1/time", "y component of the angular velocity"),
 	VALUE("omegaz", OMEGAZ, "1/time", "z component of the angular velocity"),
-	WORDS("omega", OMEGA, "angular velocity: three numbers"),
+	WORDS("omega", OMEGA, "angular velocity: three numbers or variables"),
 	WORDS("image", IMAGE,
 	      "image flags: three integers, or NULL to keep one; 0 if the box is not periodic in the "
 	      "dimension"),

@@ -123,7 +123,7 @@ static enum ts_status evaluate_elif(struct ts_script *script, const struct ts_wo
 				    enum ts_truth *truth)
 {
 	struct ts_str text = { 0 };
-	enum ts_status status = ts_substitute_shown(script, condition->text, &condition->place, &text);
+	enum ts_status status = ts_substitute_condition(script, condition->text, &condition->place, &text);
 
 	*truth = TS_OPEN;
 	if (status == TS_OK)

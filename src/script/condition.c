@@ -27,7 +27,7 @@ static enum ts_status evaluate_condition(struct ts_script *script, const struct 
 					 enum ts_truth *out)
 {
 	struct ts_str text = { 0 };
-	enum ts_status status = ts_substitute_shown(script, word->text, &word->place, &text);
+	enum ts_status status = ts_substitute_condition(script, word->text, &word->place, &text);
 
 	if (status == TS_OK)
 		status = ts_expr_condition(&script->formulas, ts_str_text(&text), &word->place, out);

@@ -65,6 +65,9 @@ enum ts_status ts_substitute_text(struct ts_script *script, const char *text, co
  * if they were set in a branch of which it is unknown whether it is taken; commands get the words, which may be names of styles. */
 enum ts_status ts_substitute_shown(struct ts_script *script, const char *text, const struct ts_place *where,
 				   struct ts_str *out);
+/* The same for the condition of `if`, where quotes are around words: they may be values of variables. */
+enum ts_status ts_substitute_condition(struct ts_script *script, const char *text,
+				       const struct ts_place *where, struct ts_str *out);
 
 /* condition.c: checks the syntax of the arguments of `if`: conditions, `then`, commands. */
 enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where);

@@ -144,8 +144,9 @@ static void echo_line(struct ts_script *script, const struct ts_line *done, cons
 	ts_str_release(&shown);
 }
 
+/* quotes: inside of them, too. */
 static enum ts_status substitute_all(struct ts_script *script, const struct ts_line *line, bool echo,
-				     struct ts_line *out, struct ts_str *value)
+				     bool quotes, struct ts_line *out, struct ts_str *value)
 {
 	const char *text = ts_str_text(&line->text);
 	size_t at = 0, steps = 0;
@@ -153,7 +154,7 @@ static enum ts_status substitute_all(struct ts_script *script, const struct ts_l
 	if (ts_line_copy_rows(out, line) != TS_OK)
 		return TS_NOMEM;
 	while (text[at]) {
-		size_t end = ts_quote_end(text, at);
+		size_t end = quotes ? at : ts_quote_end(text, at);
 
 		if (text[at] == '$') {
 			ts_str_clear(value);
@@ -172,7 +173,7 @@ static enum ts_status substitute_all(struct ts_script *script, const struct ts_l
 	return out->text.failed || value->failed ? TS_NOMEM : TS_OK;
 }
 
-enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, bool echo)
+static enum ts_status substitute_line(struct ts_script *script, struct ts_line *line, bool echo, bool quotes)
 {
 	struct ts_line out = { 0 };
 	struct ts_str value = { 0 };
@@ -180,7 +181,7 @@ enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, boo
 
 	if (!strchr(ts_str_text(&line->text), '$'))
 		return TS_OK;
-	status = substitute_all(script, line, echo, &out, &value);
+	status = substitute_all(script, line, echo, quotes, &out, &value);
 	if (status == TS_NOMEM)
 		ts_nomem(&script->sim->error);
 	ts_str_release(&value);
@@ -193,15 +194,20 @@ enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, boo
 	return status;
 }
 
-enum ts_status ts_substitute_text(struct ts_script *script, const char *text, const struct ts_place *where,
-				  struct ts_str *out)
+enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, bool echo)
+{
+	return substitute_line(script, line, echo, false);
+}
+
+static enum ts_status substitute_text(struct ts_script *script, const char *text,
+				      const struct ts_place *where, bool quotes, struct ts_str *out)
 {
 	struct ts_place nowhere = { 0 };
 	struct ts_line line = { 0 };
 	enum ts_status status = ts_line_set(&line, text, strlen(text), where ? where : &nowhere);
 
 	if (status == TS_OK)
-		status = ts_substitute(script, &line, false);
+		status = substitute_line(script, &line, false, quotes);
 	if (status == TS_OK)
 		ts_str_add_n(out, ts_str_text(&line.text), line.text.length);
 	if (status == TS_NOMEM || out->failed)
@@ -210,14 +216,32 @@ enum ts_status ts_substitute_text(struct ts_script *script, const char *text, co
 	return status;
 }
 
-enum ts_status ts_substitute_shown(struct ts_script *script, const char *text, const struct ts_place *where,
-				   struct ts_str *out)
+enum ts_status ts_substitute_text(struct ts_script *script, const char *text, const struct ts_place *where,
+				  struct ts_str *out)
+{
+	return substitute_text(script, text, where, false, out);
+}
+
+static enum ts_status substitute_shown(struct ts_script *script, const char *text,
+				       const struct ts_place *where, bool quotes, struct ts_str *out)
 {
 	bool before = script->formulas.doubts_words;
 	enum ts_status status;
 
 	script->formulas.doubts_words = true;
-	status = ts_substitute_text(script, text, where, out);
+	status = substitute_text(script, text, where, quotes, out);
 	script->formulas.doubts_words = before;
 	return status;
+}
+
+enum ts_status ts_substitute_shown(struct ts_script *script, const char *text, const struct ts_place *where,
+				   struct ts_str *out)
+{
+	return substitute_shown(script, text, where, false, out);
+}
+
+enum ts_status ts_substitute_condition(struct ts_script *script, const char *text,
+				       const struct ts_place *where, struct ts_str *out)
+{
+	return substitute_shown(script, text, where, true, out);
 }
