@@ -212,6 +212,7 @@ shell_tests = \
 	tests/rank/plan.sh \
 	tests/rank/ranks.sh \
 	tests/rank/read_data.sh \
+	tests/rank/rows.sh \
 	tests/rank/soak.sh \
 	tests/rank/timer.sh \
 	tests/region/regions.sh \

@@ -34,6 +34,9 @@ struct ts_place {
 	int line, column, length; /* all counted from 1                     */
 };
 
+/* Of another place than that of the error, for "%s:%d". */
+#define TS_FILE_AND_LINE(place) ((place).file ? (place).file : "command"), (place).line
+
 struct ts_error {
 	enum ts_status status;
 	struct ts_place place;

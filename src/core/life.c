@@ -206,8 +206,8 @@ static enum ts_status find_position(struct tsim *sim, enum ts_kind kind, const s
 			break;
 	if (*at < list->n && *id && list->item[*at]->style != style)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "%s id '%s' is already in use by style %s (line %d)", ts_kind_name(kind), id,
-			       list->item[*at]->style->name, list->item[*at]->where.line);
+			       "%s id '%s' is already in use by style %s (%s:%d)", ts_kind_name(kind), id,
+			       list->item[*at]->style->name, TS_FILE_AND_LINE(list->item[*at]->where));
 	if (*at == list->n && TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;

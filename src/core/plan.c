@@ -99,9 +99,9 @@ static enum ts_status refuse_retired(struct tsim *sim)
 
 		if (user)
 			return ts_fail(&sim->error, TS_STATE, &user->where,
-				       "%s %s uses region %s (line %d), which has been deleted since",
+				       "%s %s uses region %s (%s:%d), which has been deleted since",
 				       ts_kind_name(user->style->kind), user->id, region->id,
-				       region->where.line);
+				       TS_FILE_AND_LINE(region->where));
 	}
 	return TS_OK;
 }

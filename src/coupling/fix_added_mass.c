@@ -173,9 +173,9 @@ static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim
 	for (size_t k = 0; (other = ts_flow_part_named(sim, "added_mass", &k));)
 		if (other != self && ts_ranks_most(sim, ts_groups_meet(p, other->group, self->group)) > 0)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix added_mass: fix %s (line %d) gives particles of this group an "
+				       "fix added_mass: fix %s (%s:%d) gives particles of this group an "
 				       "added mass already: a particle can have one",
-				       other->id, other->where.line);
+				       other->id, TS_FILE_AND_LINE(other->where));
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group) && ts_rigid_member(p, i))
 			member = fmin(member, p->tag[i]);

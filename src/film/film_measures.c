@@ -135,6 +135,7 @@ static void add_cell(const struct ts_film *f, struct ts_film_measures *m, int i,
 	if (f->kind[c] == TS_FILM_SOLID)
 		return;
 	m->load += push;
+	m->pressed += fabs(push);
 	m->centre[0] += push * (f->polar ? x * cos(y) : x);
 	m->centre[1] += push * (f->polar ? x * sin(y) : y);
 	m->least_gap = fmin(m->least_gap, f->gap[c]);
@@ -204,6 +205,9 @@ static void find_maximum(const struct ts_film *f, struct ts_film_measures *m)
 	m->p_max_at[1] = f->polar ? x[0] * sin(x[1]) : x[1];
 }
 
+/* A load that is less than this part of what it is the sum of is none. */
+static const double ROUND_OFF = 1e-12;
+
 void ts_film_measure(const struct ts_film *f, struct ts_film_measures *m)
 {
 	*m = (struct ts_film_measures){ .least_gap = INFINITY };
@@ -219,7 +223,7 @@ void ts_film_measure(const struct ts_film *f, struct ts_film_measures *m)
 				add_segment(f, m, axis, i, j);
 	}
 	for (int axis = 0; axis < 2; axis++)
-		m->centre[axis] = m->load != 0 ? m->centre[axis] / m->load : NAN;
+		m->centre[axis] = fabs(m->load) > ROUND_OFF * m->pressed ? m->centre[axis] / m->load : NAN;
 	add_edges(f, m);
 	find_maximum(f, m);
 }

@@ -8,7 +8,8 @@
  * origin and the normal of the film. */
 struct ts_film_measures {
 	double load;	  /* sum of p - ambient over the area, which pushes the surfaces apart */
-	double centre[2]; /* centre of pressure of the load; NaN if the load is 0 */
+	double pressed;	  /* sum of |p - ambient| over the area */
+	double centre[2]; /* centre of pressure of the load; NaN if the load is 0, up to round-off */
 	double p_max;	  /* by a parabola through the highest centre and its neighbours */
 	double p_max_at[2];
 	double least_gap;

@@ -73,7 +73,8 @@ const struct ts_style ts_compute_flow_force = {
 	       "pressure on the face is extrapolated from the two adjacent cells. The shear stress is the "
 	       "momentum flux in the equations of the fluid, so in a steady flow the momentum balance along "
 	       "the face holds to round-off. Without an open face the pressure is known up to a constant: "
-	       "its mean is zero. For bodies in the fluid see fix immersed/boundary.",
+	       "its mean is 0, or `pressure_level` of flow_style. For bodies in the fluid see fix "
+	       "immersed/boundary.",
 	.example = "compute lid all flow/force yhi\nthermo_style custom step c_lid[7]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -14,9 +14,10 @@ static enum ts_status refuse_distributed_forces(struct tsim *sim, const struct t
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix %s: its force depends on how each particle will move by itself, but fix %s %s "
-		       "(line %d) gives particles of this group a common force: put fix %s before this fix, "
+		       "(%s:%d) gives particles of this group a common force: put fix %s before this fix, "
 		       "or use a drag of scheme explicit",
-		       self->style->name, fix->style->name, fix->id, fix->where.line, fix->style->name);
+		       self->style->name, fix->style->name, fix->id, TS_FILE_AND_LINE(fix->where),
+		       fix->style->name);
 }
 
 enum ts_status ts_restraints_find(struct ts_restraints *list, struct tsim *sim,

@@ -208,8 +208,8 @@ static enum ts_status delete_group(struct tsim *sim, const struct state *s, cons
 	TS_TRY(ts_group_require(sim, &word, &bit));
 	user = ts_uses_group(sim, bit);
 	if (user)
-		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is in use by %s %s (line %d)", s->id,
-			       ts_kind_name(user->style->kind), user->id, user->where.line);
+		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is in use by %s %s (%s:%d)", s->id,
+			       ts_kind_name(user->style->kind), user->id, TS_FILE_AND_LINE(user->where));
 	for (int child = 1; child < TS_MAX_GROUPS; child++)
 		if (sim->particles->dynamic[child].every && sim->particles->dynamic[child].parent == bit)
 			return ts_fail(&sim->error, TS_STATE, where,

@@ -88,9 +88,9 @@ enum ts_status ts_heat_init(struct ts_instance *self, struct tsim *sim)
 	other = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_HEAT, &k);
 	if (other && !ts_streq(other->id, self->id))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: there is one already (%s, line %d), and particles have one "
+			       "fix %s: there is one already (%s, %s:%d), and particles have one "
 			       "temperature",
-			       self->style->name, other->id, other->where.line);
+			       self->style->name, other->id, TS_FILE_AND_LINE(other->where));
 	h->sim = sim;
 	TS_TRY(ts_heat_read_area(sim, "fix heat/gran", h->area_words, &h->contact));
 	if (h->correction && h->contact.kind != TS_HEAT_OVERLAP)

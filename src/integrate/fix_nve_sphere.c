@@ -46,8 +46,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			continue;
 		if (said && other->inertia != (int)said && !ts_streq(fixes->item[k]->id, self->id))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix nve/sphere: fix %s (line %d) has another inertia",
-				       fixes->item[k]->id, fixes->item[k]->where.line);
+				       "fix nve/sphere: fix %s (%s:%d) has another inertia",
+				       fixes->item[k]->id, TS_FILE_AND_LINE(fixes->item[k]->where));
 		if (!said)
 			said = (enum ts_inertia)other->inertia;
 	}

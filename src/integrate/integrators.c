@@ -35,11 +35,11 @@ static enum ts_status refuse_two_integrators(struct tsim *sim, size_t i, const s
 					     const struct ts_instance *second)
 {
 	return ts_fail(&sim->error, TS_STATE, &second->where,
-		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, line %d) moves, too: it "
+		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, %s:%d) moves, too: it "
 		       "would be moved twice in each step; give the fixes groups that share no particles, or "
 		       "`unfix` one of them",
 		       second->id, second->style->name, sim->particles->tag[i], sim->particles->type[i],
-		       first->id, first->style->name, first->where.line);
+		       first->id, first->style->name, TS_FILE_AND_LINE(first->where));
 }
 
 /* The body sets the positions of its members in each step, so displacements do not accumulate; but contacts

@@ -62,8 +62,10 @@ static enum ts_status rotate_rate(struct ts_instance *self, struct tsim *sim, do
 {
 	const struct state *s = self->state;
 
-	(void)sim;
 	(void)t;
+	if (s->period == 0)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "period"),
+			       "fix move/mesh: the period is 0, must not be");
 	r->spin = 2 * TS_PI / s->period;
 	return TS_OK;
 }
@@ -318,7 +320,8 @@ static const struct ts_arg linear_variable_rows[] = { RATE_ROW(0, "x"), RATE_ROW
 static const struct ts_arg rotate_rows[] = {
 	ORIGIN_ROW,
 	AXIS_ROW("direction of the axis; rotation by the right-hand rule"),
-	PERIOD_ROW,
+	TS_REAL("period", struct state, period, .unit = "time",
+		.help = "time of one revolution; below 0: the other way round"),
 	TS_ARGS_END,
 };
 static const struct ts_arg rotate_variable_rows[] = {

@@ -153,6 +153,9 @@ static enum ts_status set_number(struct tsim *sim, const struct state *s, const 
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "set: %s of particle %d would be %g, expected %s", names[what], p->tag[bad],
 			       table->data[bad], expected_value(p, what, table->data[bad]));
+	if (!sim->division && !s->value[what].variable && expected_value(p, what, s->value[what].value))
+		return ts_fail(&sim->error, TS_RANGE, where, "set: %s is %g, expected %s", names[what],
+			       s->value[what].value, expected_value(p, what, s->value[what].value));
 	for (size_t i = 0; i < p->n; i++)
 		if (chosen[i])
 			set_value(sim, i, what, table->data[i]);
@@ -308,6 +311,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	enum ts_status status = TS_OK;
 	size_t count = 0;
 
+	if (s->mode == TYPE && (s->range.lo > p->ntypes || s->range.hi > p->ntypes))
+		return ts_fail(&sim->error, TS_RANGE, where, "set: there are %d types of particles, found %d",
+			       p->ntypes, s->range.hi ? s->range.hi : s->range.lo);
 	if (reads_others(s))
 		TS_TRY(ts_ranks_unite(sim));
 	if (s->mode == MOLECULE)

@@ -58,9 +58,9 @@ static enum ts_status open_file(struct ts_record *record, struct tsim *sim, cons
 	}
 	if (record->file)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "report: '%s' is written already (line %d), and a script has one report, "
+			       "report: '%s' is written already (%s:%d), and a script has one report, "
 			       "which contains all its runs",
-			       record->file, record->where.line);
+			       record->file, TS_FILE_AND_LINE(record->where));
 	return ts_record_open(record, sim, s->file, where,
 			      where->file && ts_streq(where->file, TS_REPORT_OPTION));
 }

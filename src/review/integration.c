@@ -23,11 +23,11 @@ enum ts_status ts_review_integrator(struct tsim *sim)
 
 	if (sim->review.steps <= SET_UP_STEPS || sim->outside || (!moved && ts_heat_of(sim)))
 		return TS_OK; /* a host program moves them; or conduction in a packing at rest */
-	for (size_t i = p->n; i-- > 0;) {
+	for (size_t i = 0; i < p->n; i++) {
 		if (p->mask[i] & moved || !(p->imass[i] > 0) || ts_rigid_member(p, i))
 			continue;
-		first = i;
-		idle++;
+		if (!idle++ || p->tag[i] < p->tag[first])
+			first = i;
 	}
 	if (!idle)
 		return TS_OK;

@@ -18,8 +18,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < fixes->n; k++)
 		if (fixes->item[k]->style == self->style && fixes->item[k] != self)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix multisphere: there is one already, fix %s (line %d)",
-				       fixes->item[k]->id, fixes->item[k]->where.line);
+				       "fix multisphere: there is one already, fix %s (%s:%d)",
+				       fixes->item[k]->id, TS_FILE_AND_LINE(fixes->item[k]->where));
 	return TS_OK;
 }
 

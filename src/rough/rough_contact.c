@@ -165,21 +165,24 @@ static void find_gap(struct solver *s, struct ts_rough_result *result)
 }
 
 /* The shift for which pressures `move` + shift, brought within the limits, carry the load: their sum rises with it,
- * piecewise linear; Newton's method, or bisection where it leaves the bracket. */
+ * piecewise linear; Newton's method, or bisection where it leaves the bracket or takes many steps: pressures may be of any
+ * size beside the load. */
 static double find_shift(struct solver *s)
 {
+	enum { NEWTON_STEPS = 50 };
 	const double load = s->problem->mean_pressure * (double)s->sweep.n;
 	double low = -INFINITY, high = INFINITY, shift = 0;
 
-	for (;;) {
+	for (int k = 0;; k++) {
+		const int late = k > NEWTON_STEPS ? k - NEWTON_STEPS : 0;
 		double sum[2], before = shift; /* of the pressures; its slope */
 
 		ts_contact_sweep_shift(&s->sweep, shift, sum);
 		if (fabs(sum[0] - load) <= 1e-13 * load)
 			return shift;
 		*(sum[0] < load ? &low : &high) = shift;
-		shift += (load - sum[0]) / fmax(sum[1], 1);
-		if (!(shift > low && shift < high))
+		shift += ldexp((load - sum[0]) / fmax(sum[1], 1), late);
+		if (!(shift > low && shift < high) || (late && isfinite(low) && isfinite(high)))
 			shift = low + 0.5 * (high - low);
 		if (!(shift < before || shift > before)) /* the bracket is as narrow as numbers permit */
 			return shift;

@@ -49,15 +49,15 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 		if (samples_by_step(fix))
 			return ts_fail(&sim->error, TS_STATE, where,
-				       "fix %s (%s, line %d) counts steps: unfix it before reset_timestep",
-				       fix->id, fix->style->name, fix->where.line);
+				       "fix %s (%s, %s:%d) counts steps: unfix it before reset_timestep",
+				       fix->id, fix->style->name, TS_FILE_AND_LINE(fix->where));
 		if (moves_by_time(fix) && time != ts_sim_time(sim))
 			return ts_fail(&sim->error, TS_STATE, where,
-				       "fix %s (%s, line %d) moves by the time since its definition, now %g: "
+				       "fix %s (%s, %s:%d) moves by the time since its definition, now %g: "
 				       "unfix it before reset_timestep, or keep the time: `reset_timestep "
 				       "%lld time $(time)`",
-				       fix->id, fix->style->name, fix->where.line, ts_sim_time(sim),
-				       (long long)s->step);
+				       fix->id, fix->style->name, TS_FILE_AND_LINE(fix->where),
+				       ts_sim_time(sim), (long long)s->step);
 	}
 	if (s->step != sim->clock.step) {
 		clear_last_frames(sim);

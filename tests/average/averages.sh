@@ -293,4 +293,28 @@ variable n atom 1+id*(step>1)
 compute c all chunk/atom v_n compress yes
 fix a all ave/chunk 1 2 2 c vx
 run 2" 'use `ids nfreq`'
+# an array by its name alone: all of its columns
+cat >in.script <<'END'
+units si
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 random 900 4711 NULL
+set group all diameter 0.05 density 1000
+neighbor 0.05 bin
+pair_style gran/hooke 1e4 NULL 3 NULL 0.4 0
+pair_coeff * *
+fix m all nve/sphere
+timestep 1e-4
+compute r all rdf 7
+fix a all ave/time 1 2 2 c_r mode vector file all.txt
+fix b all ave/time 1 2 2 c_r[*] mode vector file star.txt
+run 4
+END
+"$TSIM" -in in.script -log none >out 2>&1
+report 'all columns of an array run' $? out
+grep -v 'data for' all.txt >all
+grep -v 'data for' star.txt >star
+[ "$(awk 'NF == 4 && $3 > 0 && $1 > 0' all | wc -l)" -gt 4 ]
+report 'rows of all columns' $? all
+same 'all columns of an array' star all
 finish

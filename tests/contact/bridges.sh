@@ -254,6 +254,11 @@ rejects "$(one "${wall/$easo/$washino} -5e-4")" 'washino/capillary/viscous is fo
 rejects "$(one 'pair_style gran model hertz' 'pair_coeff * *' "$wall -5e-4")" 'particles are dry'
 rejects "$(one 'fix plate all mesh/surface file plate.stl type 1 scale 0.005' \
 	"${wall/primitive*/mesh n_meshes 1 meshes plate}")" 'which contacts with triangles do not follow'
+for before in 'run 0' ''; do # a dry mesh beside wet particles: the law of the particles is known after a run
+	prints "$(one 'fix plate all mesh/surface file plate.stl type 1 scale 0.005 move 0 0 -0.002' "$before" \
+		'fix plates all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate')
+print 'dry plate'" 'dry plate'
+done
 rejects "$(one 'thermo_style custom step pe')" 'liquid bridges have no potential energy'
 rejects "$(one 'fix books all energy/ledger')" 'liquid bridges (cohesion) have no potential energy'
 rejects "$(one "pair_style gran model hertz tangential history cohesion $easo located yes" 'pair_coeff * *')" \

@@ -46,7 +46,7 @@ rejects "$solved
 fix e all void_fraction reach 0" 'reach'
 rejects "$still
 fix a all added_mass
-fix b all added_mass coefficient 0.1" 'fix a (line 10) gives particles of this group an added mass'
+fix b all added_mass coefficient 0.1" 'fix a (in.script:10) gives particles of this group an added mass'
 rejects "$still
 create_atoms 1 single 0.5 0.5 0.505 units box
 set group all diameter 0.01 density 2385

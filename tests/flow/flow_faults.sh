@@ -16,6 +16,18 @@ flow_style projection cells 8 6 5 viscosity 0.1 density 2
 timestep 1e-4
 END
 
+# steps: what limits them is named
+rejects 'include fluid
+fix T all flow/scalar conductivity 1e9 capacity 1 initial 310 xlo value 320
+run 1' 'substeps, 1e+06 at most'
+rejects 'include box
+flow_style projection cells 8 6 5 viscosity 1e30 density 2 substeps auto
+run 1' 'it is to make, limited by its viscosity'
+rejects 'include box
+flow_style projection cells 8 6 5 viscosity 1e-30 density 2 substeps auto time rk3
+flow_boundary yhi wall velocity 1e30 0 0
+run 1' 'it is to make, limited by its velocity'
+
 # faces
 rejects 'include fluid
 flow_boundary xlo inlet velocity 1 0 0

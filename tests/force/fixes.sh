@@ -650,4 +650,33 @@ bad "did you mean 'erate'" 'fix d all deform 1 x erat 1'
 bad 'must not be after' 'run 10 start 5'
 sed -i 's/boundary p p p/boundary p p m/' in.box
 bad 'faces of z follow' 'fix d all deform 1 z vel 1'
+
+# variables that have no value before the forces of the first step
+cat >in.two <<'END'
+units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 1 single 0.5 0.5 0.592 units box
+set group all diameter 0.1 density 1000
+pair_style spring/dashpot
+pair_coeff * * stiffness 50 damping 0
+fix n all nve
+timestep 1e-3
+END
+agree 'ramp() in a force: over each run' 'include in.two
+neigh_modify exclude type 1 1
+variable r equal ramp(0,0.3)
+fix a all addforce v_r 0 0
+run 10
+run 6
+print "is v $(vx[1]:%.17g) $(1e-3*0.3*(10+6)/2/mass[1]:%.17g)"'
+agree 'a force by the pressure of contacts' 'include in.two
+compute p all pressure NULL pair
+variable q equal c_p[3]
+fix a all addforce 0 0 v_q
+run 0
+print "is q $(fz[1]+fz[2]:%.17g) $(2*v_q:%.17g)"
+print "is p $(c_p[3]:%.17g) $(50*0.008*0.092:%.17g) 1"'
 finish

@@ -224,7 +224,7 @@ reset_timestep 5" 'c_none'
 reject 'averages count steps' "$cube
 variable a equal ke
 fix t all ave/time 1 10 10 v_a
-reset_timestep 5" 'fix t (ave/time, line 10) counts steps'
+reset_timestep 5" 'fix t (ave/time, in.script:10) counts steps'
 reject 'a motion goes on in time' "$cube
 fix t all move linear 1 0 0
 run 3

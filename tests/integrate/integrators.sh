@@ -37,12 +37,12 @@ for pair in 'nve nve/sphere' 'nve/sphere nve' 'nve nve/noforce' 'nve/euler nve/s
 	'nve/sphere nve/limit|radius_ratio|0.1' 'nve move|linear|0.1|0|0' 'move|linear|0.1|0|0 nve'; do
 	read -r first second <<<"$pair"
 	twice "fix a all ${first//|/ }
-fix b all ${second//|/ }" "fix b (${second%%|*}) moves particle 1 (type 1), which fix a (${first%%|*}, line 14) moves, too"
+fix b all ${second//|/ }" "fix b (${second%%|*}) moves particle 1 (type 1), which fix a (${first%%|*}, in.script:14) moves, too"
 	once "fix a one ${first//|/ }
 fix b two ${second//|/ }"
 done
 twice 'fix a two nve
-fix b all nve/sphere' 'moves particle 2 (type 2), which fix a (nve, line 14)'
+fix b all nve/sphere' 'moves particle 2 (type 2), which fix a (nve, in.script:14)'
 twice 'review error
 fix a all rigid single
 fix b all nve/sphere' 'fix b (nve/sphere) integrates particle 1, a member of a rigid body'
@@ -92,5 +92,5 @@ pair_coeff * * stiffness 1e4 damping 0
 fix a all nve
 fix b all nve/sphere
 run 10' >in.script
-refused 'after a restart' 'moves particle 1 (type 1), which fix a (nve, line 4)' -in in.script
+refused 'after a restart' 'moves particle 1 (type 1), which fix a (nve, in.script:4)' -in in.script
 finish

@@ -118,4 +118,16 @@ rm aside/only.stl
 "$TSIM" -log none -in aside/in.read >out 2>&1
 [ $? != 0 ] && shows "cannot open 'only.stl': No such file" out
 report 'and nowhere' $? out
+# a negative period turns the other way round
+turns=0
+for turn in 'axis 0 0 1 period -0.7' 'axis 0 0 -1 period 0.7'; do
+	printf '%s\n' 'units si' 'boundary f f f' 'region box block -1 1 -1 1 -1 1 units box' 'create_box 1 box' 'timestep 0.01' \
+		'fix b all mesh/surface type 1 primitive box 0.1 0.3 0 0.1 0 0.1' "fix t all move/mesh mesh b rotate origin 0 0 0 $turn" \
+		'dump d all mesh/stl 13 turned*.stl' 'run 13' >in.script
+	"$TSIM" -in in.script -log none >out 2>&1
+	report "turns by $turn" $? out
+	mv turned13.stl "turned.$((++turns))"
+done
+same 'a negative period' turned.1 turned.2
+rejects "$(sed 's/period .*/period 0/' in.script)" 'the period is 0, must not be'
 finish

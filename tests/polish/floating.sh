@@ -72,4 +72,10 @@ report 'explain' $? out
 printf '%s\n' 'include in.scene' "${wafer/joint_1 0.07/start 0.1}" "${film/velocity 6/velocity 0}" 'run 1' >in.script
 ! "$TSIM" -in in.script -log none >out 2>&1 && grep -q 'no place above the film where forces balance' out
 report 'nothing slides, nothing carries' $? out
+# a pad that has moved farther than numbers resolve
+printf '%s\n' 'units si' 'boundary p p f' 'region box block 0 5e-5 0 5e-5 0 6e-5 units box' 'create_box 1 box' 'timestep 1e-6' \
+	'fix pad all surface/voxel gaussian mean 5e-6 deviation 4e-6 correlation 2e-6 seed 5 type 1 cells 31 31 datum 1e-9 move linear 1e30 0 0' \
+	'fix w all wafer pad settled stiffness 4e12 pressure 1e5' 'run 50' 'print "height $(f_w)"' >in.far
+"$TSIM" -in in.far -log none >out 2>&1 && grep -q '^height [0-9]' out
+report 'a pad that has moved far' $? out
 finish

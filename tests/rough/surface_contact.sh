@@ -81,6 +81,16 @@ print "$(c_c)"'
 no 'the hardness is the load' 'the mean pressure 0.1 cannot be carried' 'compute c all surface/contact s halfspace young 1 poisson 0 pressure 0.1 hardness 0.1
 run 0
 print "$(c_c)"'
+# pressures of any size beside the load
+sed 's/cells 64 64/cells 16 16/' in.sphere >in.coarse
+for young in 1e-25 1e13; do
+	printf '%s\n' 'include in.coarse' "compute c all surface/contact s halfspace young $young poisson 0 pressure 0.1" 'thermo_style custom step c_c[3]' \
+		'run 0' >in.script
+	timeout 60 "$TSIM" -in in.script -log none >out 2>&1
+	report "young $young" $? out
+done
+sed 's/young 1e13/young 1e30/' in.script >in.stiff
+refused 'young 1e30' 'too large or too small for the arithmetic' -in in.stiff
 no 'a negative modulus' 'young is -1, expected a number > 0' 'compute c all surface/contact s halfspace young -1 poisson 0 pressure 0.1
 run 0'
 no 'a negative modulus of the other solid' 'counter_young is -1, expected a number > 0' 'compute c all surface/contact s halfspace young 1 poisson 0 counter_young -1 pressure 0.1

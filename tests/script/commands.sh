@@ -180,5 +180,20 @@ neigh_modify exclude type 1 9" 'is not a type'
 bad "$ball
 compute a all property/atom radios" "did you mean 'radius'"
 
+good 'variables inside the quotes of a condition' 'variable d string "two words"
+variable e string hello
+if "'"'\${d}' == 'two words'"'" then "print same" else "print different"
+if "'"'\${d}' == two"'" then "print one" else "print two"
+if "'"'\${e}' == hello && \${e} != 'hell'"'" then "print both"' same two both
+good 'set omega by variables' "$ball
+variable w atom 2*id
+variable d equal 0.5
+set group all omega v_d 0 0
+print \"is \$(omegax[1]) \$(omegay[1]) \$(omegaz[1])\"
+set group all omega 1 v_w -3
+print \"is \$(omegax[1]) \$(omegay[1]) \$(omegaz[1])\"" 'is 0.5 0 0' 'is 1 2 -3'
+bad "$ball
+set group all omega 1 v_none 0" 'three numbers or variables'
+
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

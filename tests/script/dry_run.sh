@@ -483,6 +483,21 @@ printf 'fix\nlabel a\nprint x\n' >other.in
 [ "$(grep -c error: err)" = 3 ] && grep -q '^other.in:1:' err && grep -q "^outer.in:2:9: .*'missing.in'" err
 report 'included scripts' $? err
 
+# what is refused does not hang what follows
+printf '%s\n' 'region box block -1 1 -1 1 -1 1 units box' 'create_box 1 box' 'lattice sc 0.1' 'create_atoms 1 box' \
+	'set group all diameter 0.1 density 1' 'bond_style parallel' 'create_bonds gap all all 1 1e-6' \
+	'bond_coeff 1 E 1e8 ratio 2.5 sigma_c 2e5 tau_c 2e5 scatter normal seed 4711' 'fix m all nve/sphere' 'run 1' >in.scatter
+timeout 60 "$TSIM" -check -in in.scatter >out 2>err
+[ $? = 1 ] && grep -q 'in.scatter:8:.* expected .deviation.' err
+report 'scatter normal without a deviation' $? err
+
+# numbers are judged where there are no particles yet
+printf '%s\n' 'region box block -1 1 -1 1 -1 1 units box' 'create_box 2 box' 'group g empty' 'set group g diameter -0.01' >in.set
+refused 'a negative diameter of nobody' 'set: diameter is -0.01, expected a number > 0' -check -in in.set
+refused 'a negative diameter of nobody, run' 'set: diameter is -0.01, expected a number > 0' -in in.set
+printf '%s\n' 'region box block -1 1 -1 1 -1 1 units box' 'create_box 2 box' 'set type 3 diameter 0.01' >in.set
+refused 'a type that does not exist' 'set: there are 2 types of particles, found 3' -check -in in.set
+
 for deck in drilling; do
 	cp "$top_srcdir"/examples/$deck/in.* .
 	"$TSIM" -check -in in.$deck >out 2>err

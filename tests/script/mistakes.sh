@@ -169,7 +169,7 @@ $box
 compute k all ke
 fix k all ave/time 1 1 1 c_k
 fix k all nve
-=> 11:11: error: fix id 'k' is already in use by style ave/time (line 10)
+=> 11:11: error: fix id 'k' is already in use by style ave/time (in.m:10)
 units si
 region b block 0 1 0 1 0 1 units box
 create_box 2 b
@@ -238,6 +238,6 @@ units  si metal
 => 1:11: error: units: unexpected 'metal', the line should end before it
 $box
 region b sphere 0 0 0 1
-=> 9:8: error: there is a region 'b' already (line 2)
+=> 9:8: error: there is a region 'b' already (in.m:2)
 END
 finish

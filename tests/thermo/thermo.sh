@@ -97,6 +97,24 @@ wrong 'no such column' 'thermo_modify format 9 %g' "expected float, int, line, n
 wrong 'column of another kind' 'thermo_modify format 1 %g' "'%g' is not a format of one integer"
 wrong 'short line' 'thermo_modify format line "%d %d"' 'format line has 2 formats, but there are 4 columns'
 wrong 'half a step' 'thermo 2.5' 'every is 2.5, expected an integer'
+# the number of elements is known before there are contacts
+contacts='pair_style gran/hooke 1e4 NULL 3 NULL 0.4 0
+pair_coeff * *
+set atom 2 x 0.34
+compute st all stress/atom NULL
+compute rs all reduce sum c_st[1] c_st[2]
+compute pl all pair/local dist force
+compute rp all reduce sum c_pl[*]
+variable t equal count(all)'
+printf '%8s %14s %14s %14s %14s %14s \n' Step rs'[1]' rs'[2]' rp'[1]' rp'[2]' thermo_press'[2]' >want
+printf '%s\n' "$scene" "$contacts" 'thermo_style custom step c_rs[*] c_rp[*] c_thermo_press[2*2]' 'run 1' >in.script
+"$TSIM" -in in.script -log none >out 2>&1
+report 'elements of reduced contacts run' $? out
+grep '^ *Step' out >got
+same 'elements of reduced contacts' want got
+awk '$1 == "0" && NF == 6 { ok = $4 == 0.09 } END { exit !ok }' out
+report 'their values' $? out
+wrong 'no seventh component' 'thermo_style custom step c_thermo_press[*7]' 'c_thermo_press'
 wrong 'a variable that stands still' 'variable s equal 0
 thermo v_s' 'the step of the next row would be 0, but step 0 is reached'
 finish
