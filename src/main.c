@@ -398,6 +398,18 @@ static bool work_alone(struct tsim *sim, const struct ts_setup *setup)
 	return first;
 }
 
+/* Options that run the script in other ways than -advise and -crosscheck do. */
+static int refuse_conflicts(const struct ts_setup *setup)
+{
+	const char *name = setup->advised ? "-advise" : "-crosscheck";
+	const char *other = setup->advised && setup->crosscheck.n ? "-crosscheck"
+			    : setup->check			  ? "-check"
+			    : setup->explain			  ? "-explain"
+								  : NULL;
+
+	return other ? ts_program_usage_error("%s and %s cannot be given together", name, other) : 0;
+}
+
 static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 {
 	int status = ts_program_options(sim, setup, argc, argv);
@@ -422,6 +434,8 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 		return study(sim, setup, argv[0]);
 	if (setup->sandboxed && (setup->advised || setup->crosscheck.n))
 		return ts_program_sandbox(sim, setup, &(struct ts_str){ 0 }); /* prints why it is refused */
+	if ((setup->advised || setup->crosscheck.n) && refuse_conflicts(setup))
+		return TS_EXIT_USAGE;
 	if (setup->advised)
 		return advise(sim, setup);
 	if (setup->crosscheck.n)
@@ -459,7 +473,7 @@ int main(int argc, char **argv)
 	if (setup.screen_file && fclose(setup.screen_file) != 0)
 		status = status ? status : EXIT_FAILURE;
 	tsim_close(sim);
-	if (fflush(stdout) != 0 && !status) {
+	if ((fflush(stdout) != 0 || ferror(stdout)) && !status) {
 		fputs("tsim: cannot write to standard output\n", stderr);
 		status = EXIT_FAILURE;
 	}

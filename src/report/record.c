@@ -126,6 +126,8 @@ struct ts_record *ts_record_of(struct tsim *sim)
 enum ts_status ts_record_open(struct ts_record *record, struct tsim *sim, const char *file,
 			      const struct ts_place *where, bool by_option)
 {
+	enum ts_status status;
+
 	record->where = where ? *where : (struct ts_place){ 0 };
 	record->by_option = by_option;
 	record->file = ts_arena_strdup(&record->arena, file);
@@ -138,7 +140,10 @@ enum ts_status ts_record_open(struct ts_record *record, struct tsim *sim, const 
 	sim->log.copy = ts_record_log;
 	sim->log.copy_data = record;
 	record->due = record->start + record->renew;
-	return ts_page_write(record, sim);
+	status = ts_page_write(record, sim);
+	if (status != TS_OK)
+		record->file = NULL; /* not tried again at the end */
+	return status;
 }
 
 enum ts_status ts_record_close(struct tsim *sim, enum ts_record_end end, const char *message)

@@ -93,4 +93,15 @@ expect 'words that stand nowhere' 2 '' "tsim: no page of the manual has the word
 $more" -help 'angle of repoze'
 mkdir pages && "$TSIM" -doc pages && shows 'command_print.md' pages/index.md &&
 	grep -q '^# command print$' pages/command_print.md || { echo 'FAILED: -doc'; failed=1; }
+expect 'two ways to run' 2 '' "tsim: -advise and -crosscheck cannot be given together
+$more" -advise 1 -crosscheck liggghts -in in.script
+expect 'a run and none' 2 '' "tsim: -crosscheck and -check cannot be given together
+$more" -crosscheck liggghts -check -in in.script
+for options in '-help fix' '-grammar vim' -version; do
+	# shellcheck disable=SC2086
+	"$TSIM" $options >/dev/full 2>err
+	[ $? = 1 ] && [ "$(cat err)" = 'tsim: cannot write to standard output' ] || { echo "FAILED: $options on a full disk"; cat err; failed=1; }
+done
+"$TSIM" -report /proc/none.html -in in.script >out 2>err </dev/null
+[ $? = 1 ] && [ "$(grep -c 'cannot write' err)" = 1 ] || { echo 'FAILED: an impossible report is told once'; cat err; failed=1; }
 exit $failed
