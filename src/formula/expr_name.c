@@ -419,6 +419,10 @@ enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, stru
 
 	if (strncmp(name, "v_", 2) == 0)
 		return read_variable(e, name, at, out);
+	if (next == '[' && strncmp(name, "f_", 2) == 0 && e->kind != TS_FORMULA_PERATOM &&
+	    !ts_sim_find(e->sim, TS_KIND_FIX, name + 2) && ts_quantity_kept(e->sim, name + 2) &&
+	    ts_quantity_has(e->sim, name + 2))
+		return quantity_of_particle(e, name + 2, at, out);
 	if (strncmp(name, "c_", 2) == 0 || strncmp(name, "f_", 2) == 0)
 		return read_output_name(e, name, at, out);
 	if (next == '(')

@@ -130,9 +130,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 /* A nozzle outside of faces that particles must not cross is an error of the script. */
-static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_place(struct ts_instance *self, struct tsim *sim)
 {
-	struct jet *s = self->state;
+	const struct jet *s = self->state;
 	const struct ts_box *box = &sim->domain->box;
 	const double *x = s->nozzle.centre;
 
@@ -143,6 +143,14 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 				       "fix insert/jet: the nozzle is at %c = %g, outside the box, which "
 				       "reaches from %g to %g",
 				       'x' + d, x[d], box->lo[d], box->hi[d]);
+	return TS_OK;
+}
+
+static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+{
+	struct jet *s = self->state;
+
+	TS_TRY(check_place(self, sim));
 	ts_insertion_rate_print(self, sim, &s->rate);
 	return TS_OK;
 }
@@ -393,6 +401,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	if (report->limits_only)
 		return TS_OK;
+	TS_TRY(check_place(self, sim));
 	ts_report_line(report, "jet", "%s: %.3g particles a step, volume fraction %.2g at the nozzle",
 		       self->id, s->rate.rate * sim->clock.dt, density * d->volume);
 	ts_report_line(report, "", "mean free path of a particle at rest in it 1/(n pi d^2) = %.3g",

@@ -1,6 +1,7 @@
 /* Fix insert/stream: inserts a stream of particles through a plane face. */
 #include "core/deferred_loops.h"
 #include "core/ranks.h"
+#include "core/report.h"
 
 #include "base/sort.h"
 #include "box/domain.h"
@@ -91,7 +92,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(find_face(self, sim));
 	if ((s->base.every_word != NULL) == !isnan(s->given_length))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix insert/stream: expected one of insert_every and extrude_length");
+			       "fix insert/stream: expected one of insert_every and extrude_length, found %s",
+			       s->base.every_word ? "both" : "none");
 	if (s->base.every_word && s->base.every < 1)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "insert_every"),
 			       "fix insert/stream: insert_every is '%s', expected a number of steps > 0",
@@ -106,7 +108,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 /* interval * speed = length; computed for each run, since the time step may change. */
-static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+static enum ts_status find_length(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_distribution *d = s->base.distribution->state;
@@ -131,8 +133,21 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 			       "fix insert/stream: particles move %g in a step, the space behind the face is "
 			       "%g long; raise extrude_length or take a smaller step",
 			       travel, s->length);
+	return TS_OK;
+}
+
+static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(find_length(self, sim));
 	ts_insertion_rate_print(self, sim, &s->rate);
 	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	return report->limits_only ? TS_OK : find_length(self, sim);
 }
 
 /* ---- positions */
@@ -628,6 +643,7 @@ const struct ts_style ts_fix_insert_stream = {
 		  [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
 		  [TS_STAGE_SETUP] = setup,
 		  [TS_STAGE_END_OF_STEP] = end_of_step },
+	.plan = plan,
 	.defers = TS_DEFERS(END_OF_STEP),
 	.fini = fini,
 };

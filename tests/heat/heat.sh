@@ -102,7 +102,9 @@ print "is s[1] $(c_s[1]) 2"
 print "is s[2] $(c_s[2]:%.17g) $(2*v_lens:%.17g)"
 print "is s[3] $(c_s[3]) 0"
 print "is t $(c_t) 300"
-print "is T $(c_T<400) 1"'
+print "is T $(c_T<400) 1"
+print "is one $(f_Temp[1]:%.17g) $(c_T:%.17g)"
+print "is three $(f_Temp[3]) 300"'
 agree 'frozen spheres conduct, late ones start with the initial temperature' 'include in.two
 fix hold all freeze
 fix heat all heat/gran initial_temperature 300

@@ -498,6 +498,20 @@ refused 'a negative diameter of nobody, run' 'set: diameter is -0.01, expected a
 printf '%s\n' 'region box block -1 1 -1 1 -1 1 units box' 'create_box 2 box' 'set type 3 diameter 0.01' >in.set
 refused 'a type that does not exist' 'set: there are 2 types of particles, found 3' -check -in in.set
 
+# lengths that follow from steps, times and speeds
+printf '%s\n' 'units si' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' 'timestep 1e-5' \
+	'fix t all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.025' \
+	'fix mix all particledistribution/discrete 32452867 1 t 1' \
+	'fix face all mesh/surface/planar primitive plate length 0.4 width 0.4 move 0.5 0.5 0.9 type 1' >in.stream
+for every in 'insert_every 100' 'insert_every 100 extrude_length 0.2'; do
+	printf '%s\n' 'include in.stream' "fix i all insert/stream seed 86028157 distributiontemplate mix nparticles 60 particlerate 5000 $every overlapcheck yes vel constant 0 0 -1 insertion_face face" \
+		'fix m all nve/sphere' 'run 1' >in.short
+	text='the space behind the face is 0.001 long, expected at least 0.05'
+	[ "$every" = 'insert_every 100' ] || text='expected one of insert_every and extrude_length, found both'
+	refused "$every, -check" "$text" -check -in in.short
+	refused "$every" "$text" -in in.short
+done
+
 for deck in drilling; do
 	cp "$top_srcdir"/examples/$deck/in.* .
 	"$TSIM" -check -in in.$deck >out 2>err
