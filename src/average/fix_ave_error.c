@@ -22,7 +22,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(ts_ref_list_init(sim, "fix ave/error", &self->arena, s->words,
-				s->mode == VECTOR ? TS_WANT(VECTOR) : TS_WANT(SCALAR), &s->input));
+				s->mode == VECTOR ? TS_WANT(VECTOR) | TS_WANT_COLUMNS : TS_WANT(SCALAR),
+				&s->input));
 	if (s->mode == VECTOR && s->input.n > 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->input.item[1].where,
 			       "fix ave/error: mode vector takes one vector, found %zu values; use a fix for "

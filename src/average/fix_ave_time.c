@@ -51,7 +51,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_average_init(self, sim, &s->average));
 	TS_TRY(ts_average_file_init(self, sim, &s->file));
 	TS_TRY(ts_ref_list_init(sim, "fix ave/time", &self->arena, s->names,
-				s->mode == VECTOR ? TS_WANT(VECTOR) : TS_WANT(SCALAR), &s->input));
+				s->mode == VECTOR ? TS_WANT(VECTOR) | TS_WANT_COLUMNS : TS_WANT(SCALAR),
+				&s->input));
 	if (!s->as_it_is)
 		TS_TRY(read_off(self, sim));
 	if (!first)

@@ -108,6 +108,14 @@ static struct ts_contact_row row_of(const struct ts_contact_list *list, size_t r
 					r };
 }
 
+static bool in_order(const struct ts_contact_rows *rows)
+{
+	for (size_t k = 1; k < rows->n; k++)
+		if (by_identities(&rows->row[k - 1], &rows->row[k]) > 0)
+			return false;
+	return true;
+}
+
 enum ts_status ts_contact_rows(struct tsim *sim, int group, bool touching, struct ts_contact_rows *rows)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
@@ -122,7 +130,8 @@ enum ts_status ts_contact_rows(struct tsim *sim, int group, bool touching, struc
 	for (size_t r = 0; r < list->n; r++)
 		if ((!touching || ts_contact_touches(list, r)) && ts_contact_counts(sim, r, group))
 			rows->row[rows->n++] = row_of(list, r);
-	ts_sort(rows->row, rows->n, sizeof *rows->row, by_identities);
+	if (!in_order(rows))
+		ts_sort(rows->row, rows->n, sizeof *rows->row, by_identities);
 	return TS_OK;
 }
 

@@ -34,14 +34,16 @@ struct ts_contact_view {
  * a pair across a periodic face, only one. */
 bool ts_contact_counts(const struct tsim *sim, size_t r, int group);
 
+/* A pair of the contact list. */
+struct ts_contact_row {
+	uint64_t pair; /* both identities, the smaller one first */
+	int32_t image; /* ts_contact_image */
+	size_t r;      /* its index */
+};
 /* Pairs of the contact list that are to be output, in the order of the identities of their particles, which does not depend
  * on how particles lie in memory. */
 struct ts_contact_rows {
-	struct ts_contact_row {
-		uint64_t pair; /* both identities, the smaller one first */
-		int32_t image;
-		size_t r;
-	} * row; /* [n]. Owned */
+	struct ts_contact_row *row; /* [n]. Owned */
 	size_t n;
 };
 /* touching: contacts only. */

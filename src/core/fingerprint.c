@@ -141,8 +141,8 @@ enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 	sim->draws = before;
 	if (status == TS_OK || status == TS_NOMEM)
 		return status;
-	ts_error_clear(
-		&sim->error); /* a variable has no value before the set-up: ramp(), quantities of contacts */
+	/* a variable has no value before the set-up: ramp(), quantities of contacts */
+	ts_error_clear(&sim->error);
 	*out = 0;
 	return TS_OK;
 }

@@ -6,6 +6,7 @@
 #include "core/ranks.h"
 #include "core/ref_list.h"
 #include "core/uses.h"
+#include "core/written_files.h"
 
 #include "base/banned.h"
 
@@ -127,6 +128,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 			TS_TRY(append_hooks(plan, sim, list->item[i]));
 		}
 	}
+	TS_TRY(ts_written_files_check(sim));
 	if (sim->outside)
 		TS_TRY(append_hooks(plan, sim, sim->outside));
 	for (int when = 0; when < TS_NLATE; when++)

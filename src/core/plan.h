@@ -55,6 +55,8 @@ enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim);
 /* The set-up of a run: lists, checks, and forces where they are not known (plan_set_up.c). */
 enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim);
+/* Whether all that forces depend on is as it was at the end of the last run: a run can do without a set-up. All ranks call it. */
+enum ts_status ts_plan_is_unchanged(struct tsim *sim, bool *unchanged);
 /* Before the first step: computes forces if `anew`, then the stage SETUP. */
 enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew);
 /* With several ranks, inside of a run: each gets all particles and their lists, not only a look at the particles. */

@@ -99,17 +99,26 @@ static enum ts_status set_up_own(struct ts_plan *plan, struct tsim *sim, bool *d
 	return TS_OK;
 }
 
-/* Whether the run goes on with the forces of the last step. */
-static enum ts_status find_resuming(struct tsim *sim)
+enum ts_status ts_plan_is_unchanged(struct tsim *sim, bool *unchanged)
 {
 	uint64_t fingerprint;
 	double changed;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	changed = sim->legacy || !fingerprint || fingerprint != sim->run.fingerprint;
+	changed = !fingerprint || fingerprint != sim->run.fingerprint;
 	if (is_apart(sim)) /* each rank has hashed its own particles */
 		ts_world_most(sim->world, &changed, 1);
-	sim->run.resuming = !(changed > 0);
+	*unchanged = !(changed > 0);
+	return TS_OK;
+}
+
+/* Whether the run goes on with the forces of the last step. */
+static enum ts_status find_resuming(struct tsim *sim)
+{
+	bool unchanged;
+
+	TS_TRY(ts_plan_is_unchanged(sim, &unchanged));
+	sim->run.resuming = unchanged && !sim->legacy;
 	return TS_OK;
 }
 

@@ -68,6 +68,7 @@ static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
 	enum ts_status status;
+	bool unchanged = false;
 
 	ts_settings_log_run(sim);
 	sim->run.inside = true;
@@ -75,7 +76,9 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 	plan->watch.last = ts_ticks();
 	sim->clock.wall_start = ts_clock();
 	status = sim->division ? sim->tables->rest(sim, false) : TS_OK;
-	if (status == TS_OK && (setup || sim->reading.explain))
+	if (status == TS_OK && !setup && !sim->reading.explain)
+		status = ts_plan_is_unchanged(sim, &unchanged);
+	if (status == TS_OK && !unchanged)
 		status = ts_plan_set_up(plan, sim);
 	else if (status == TS_OK && sim->division && ts_ranks_output_due(plan, sim))
 		status = sim->tables->gather(plan, sim, false);

@@ -163,13 +163,13 @@ static enum ts_status count_wildcard(struct tsim *sim, const struct ts_ref_input
 		       input->name);
 }
 
-/* A name of an array alone is all of its columns where vectors are expected. */
+/* Of names that stand for all columns of an array: TS_WANT_COLUMNS. */
 static bool names_all_columns(struct tsim *sim, const struct ts_word *word, unsigned shapes)
 {
 	struct ts_ref ref;
 	unsigned found;
 
-	if (shapes != TS_WANT(VECTOR) || !is_reference(word->text) || strchr(word->text, '['))
+	if (!(shapes & TS_WANT_COLUMNS) || !is_reference(word->text) || strchr(word->text, '['))
 		return false;
 	if (ts_ref_resolve(sim, word->text, &word->place, &ref) != TS_OK) {
 		ts_error_clear(&sim->error); /* told when it is used */
@@ -254,7 +254,7 @@ enum ts_status ts_ref_list_init(struct tsim *sim, const char *what, struct ts_ar
 		list->n = expanded.n;
 	}
 	for (size_t k = 0; k < list->n; k++)
-		TS_TRY(ts_ref_input_resolve(sim, what, shapes, &list->item[k]));
+		TS_TRY(ts_ref_input_resolve(sim, what, shapes & ~TS_WANT_COLUMNS, &list->item[k]));
 	return TS_OK;
 }
 

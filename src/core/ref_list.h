@@ -27,6 +27,8 @@ struct ts_ref_list {
 
 /* Bits for the shapes a style accepts. */
 #define TS_WANT(shape) (1u << TS_##shape)
+/* With TS_WANT(VECTOR): the name of an array alone stands for all of its columns. */
+#define TS_WANT_COLUMNS (1u << 31)
 
 /* Copies the words; one with a `*` in its brackets becomes one word for each element or column, whichever
  * the accepted shapes mean. */

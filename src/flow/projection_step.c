@@ -252,7 +252,7 @@ static const char *what_limits(const struct ts_projection *p, double parts)
 	if (parts < fmin(limits.viscous, fmin(limits.courant, limits.growth)))
 		return "by a fix that acts on the fluid";
 	if (limits.growth < fmin(limits.viscous, limits.courant))
-		return "as its time scheme does not damp convection without viscosity: use time rk3";
+		return "by its time scheme, which does not damp convection without viscosity: use time rk3";
 	return limits.viscous < limits.courant
 		       ? "by its viscosity: use a smaller `timestep` or viscous implicit"
 		       : "by its velocity: use a smaller `timestep`";

@@ -161,14 +161,14 @@ static enum ts_status read_list(struct ts_expr *e, struct ts_operand *out)
 		return ts_expr_fail(e, TS_SYNTAX, at, at + 1,
 				    "a list [..] is allowed only in a variable of style vector and in sum(), "
 				    "ave() and the like; one number is needed here");
-	for (const char *c = e->text + at; *c && *c != ']'; c++)
+	for (const char *c = e->text + at; *c;
+	     c++) /* at most so many: elements may have commas and brackets */
 		n += *c == ',';
 	TS_TRY(ts_expr_array(e, n, out));
 	do {
 		e->at++;
 		TS_TRY(ts_expr_read_number(e, &number));
-		if (k < n)
-			out->data[k++] = number;
+		out->data[k++] = number;
 	} while (ts_expr_peek(e) == ',');
 	out->n = k;
 	return ts_expr_expect(e, ']');

@@ -214,7 +214,9 @@ static const struct ts_arg args[] = {
 	TS_INT("stop", struct run, stop, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
 	       .help = "step at which they end"),
 	TS_BOOL("pre", struct run, pre, .fallback = "yes",
-		.help = "whether a set-up is done before the run; no: continue from the last step"),
+		.help = "whether a set-up is done before the run; no: there is none if nothing has changed "
+			"since "
+			"the last run"),
 	TS_BOOL("post", struct run, post, .fallback = "yes", .help = "whether the timing summary is printed"),
 	TS_BOOL("unsafe", struct run, unsafe, .fallback = "no",
 		.help = "whether a time step beyond a stability limit is a warning instead of an error"),

@@ -325,11 +325,9 @@ static enum ts_status check_substeps(struct ts_instance *self, struct tsim *sim,
 	if (parts <= MOST)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-		       "fix flow/scalar: the stable step of its diffusion and convection is %g, the step of "
-		       "the "
-		       "fluid, %g, would be %g substeps, %g at most: use a smaller `timestep`, larger cells "
-		       "or a "
-		       "smaller conductivity",
+		       "fix flow/scalar: its stable step is %g, so that a step of the fluid, %g, would be %g "
+		       "substeps, %g at most: use a smaller `timestep`, larger cells or a smaller "
+		       "conductivity",
 		       ts_transport_limit(&s->transport, s->fluid), dt, parts, MOST);
 }
 

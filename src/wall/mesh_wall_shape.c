@@ -49,12 +49,14 @@ static enum ts_status check_words(struct ts_instance *self, struct tsim *sim, co
 	return TS_OK;
 }
 
+/* The triangles near particles stay listed if the meshes are those of the last run: one without a set-up (`run N pre no`) does
+ * not list them again. */
 static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
 {
+	bool same = mw->nmeshes == mw->names.n;
 	size_t first = 0;
 
 	release_trees(mw);
-	mw->nneighbors = 0; /* until they are listed again */
 	if (!mw->mesh)
 		mw->mesh = ts_arena_alloc(&self->arena, mw->names.n, sizeof *mw->mesh);
 	if (!mw->mesh)
@@ -65,6 +67,7 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim, st
 		struct ts_mesh_surface *surface;
 
 		TS_TRY(ts_mesh_surface_require(sim, name, &surface));
+		same = same && part->surface == surface && part->first == first;
 		*part = (struct ts_mesh_part_of_wall){ .surface = surface, .first = first };
 		part->by = ts_sim_find(sim, TS_KIND_FIX, name->text);
 		mw->nmeshes = k + 1;
@@ -73,6 +76,8 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim, st
 			return ts_fail(&sim->error, TS_RANGE, &name->place,
 				       "a wall of %zu triangles is too large", first);
 	}
+	if (!same)
+		mw->nneighbors = 0;
 	return TS_OK;
 }
 

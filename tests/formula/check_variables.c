@@ -132,6 +132,8 @@ START_TEST(vectors)
 	expect_value("length([1,2,4])", 3);
 	expect_value("trap([1,2,4])+slope([1,3,5.5])", 4.5 + 2.25);
 	expect_value("sum([2])", 2);
+	expect_value("sum([max([1,5]),2,3,4])", 14);
+	expect_value("max([sum([1,2]),sum([30,4,5]),7])", 39);
 	expect_error("print $(v_v[4])", 1, 9, 6, "variable 'v' has 3");
 	expect_error("print $(v_v)", 1, 9, 3, "v_v[k]");
 	expect_error("print $([1,2])", 1, 9, 1, "a list [..]");

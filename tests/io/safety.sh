@@ -207,6 +207,22 @@ run 100" 'in.script:14:15' 'not a regular file'
 "$TSIM" -in in.script -log none >full 2>err </dev/null
 [ $? = 1 ]
 report 'a full screen' $? err
+# two styles, one file
+for lines in 'fix a all ave/time 1 1 10 ke file one
+fix b all ave/time 1 1 10 ke file ./one' 'dump a all custom 10 one id x
+dump b all custom 20 one id y' 'fix a all print 10 "$(ke)" file one screen no
+dump b all custom 20 one id y' 'fix a all print 10 "$(ke)" file one screen no
+fix b all print 10 "$(step)" append one screen no'; do
+	stops 'one file of two styles' "$balls
+$lines
+run 100" "writes to 'one', and so does"
+	refused 'one file of two styles, -check' "writes to 'one', and so does" -check -in in.script
+done
+printf '%s\n' "$balls" 'fix a all print 10 "a $(step)" append one screen no' 'fix b all print 10 "b $(step)" append one screen no' \
+	'dump c all custom 10 /dev/null id' 'dump d all custom 10 /dev/null id' 'run 20' >in.shared
+rm -f one
+"$TSIM" -in in.shared -log none >out 2>&1 && [ "$(grep '^[ab] ' one)" = "$(printf 'a 10\nb 10\na 20\nb 20')" ]
+report 'two that append to one file' $? out
 if [ "$(id -u)" != 0 ]; then
 	mkdir closed && chmod a-w closed
 	stops 'a closed folder' "$balls

@@ -195,5 +195,31 @@ print \"is \$(omegax[1]) \$(omegay[1]) \$(omegaz[1])\"" 'is 0.5 0 0' 'is 1 2 -3'
 bad "$ball
 set group all omega 1 v_none 0" 'three numbers or variables'
 
+# `pre no`: the same as with a set-up, where something has changed since the last run and where nothing has
+plate='units si
+boundary f f f
+region box block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
+create_box 1 box
+create_atoms 1 single 0 0 0.0079 units box
+set group all diameter 0.006 density 2500
+set group all vz -0.5
+fix plate all mesh/surface primitive plate length 0.05 width 0.05 type 1
+fix w all wall/gran model hooke/stiffness tangential no_history mesh n_meshes 1 meshes plate
+fix m1 all property/global kn peratomtypepair 1 1e4
+fix m2 all property/global kt peratomtypepair 1 1e4
+fix m3 all property/global gamman peratomtypepair 1 100
+fix m4 all property/global gammat peratomtypepair 1 0
+fix m5 all property/global coefficientFriction peratomtypepair 1 0.5
+fix move all nve/sphere
+timestep 1e-5'
+for pre in yes no; do
+	printf '%s\n' "$plate" "run 990 pre $pre" "run 100 pre $pre" 'velocity all set 0.1 NULL NULL units box' "run 900 pre $pre" \
+		'print "end $(z[1]:%.17g) $(x[1]:%.17g) $(vz[1]:%.17g)"' >in.script
+	run_script
+	grep '^end' out >"pre.$pre"
+done
+[ -s pre.yes ] && cmp pre.yes pre.no && awk '{ ok = $4 > 0 } END { exit !ok }' pre.no
+report 'pre no' $?
+
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

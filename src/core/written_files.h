@@ -1,0 +1,11 @@
+/* Files that live styles write (arguments with TS_WRITES). */
+#ifndef TS_CORE_WRITTEN_FILES_H
+#define TS_CORE_WRITTEN_FILES_H
+
+#include "core/sim.h"
+
+/* Before a run: fails if two styles write to the same file, as each would destroy what the other has written; several may
+ * append to one. */
+enum ts_status ts_written_files_check(struct tsim *sim);
+
+#endif
