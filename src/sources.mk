@@ -379,8 +379,8 @@ library_sources = \
 	src/core/uses.c \
 	src/core/uses.h \
 	src/core/value.c \
-	src/core/written_files.c \
 	src/core/value.h \
+	src/core/written_files.c \
 	src/core/written_files.h \
 	src/coupling/added_mass.c \
 	src/coupling/added_mass.h \

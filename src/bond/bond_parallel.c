@@ -54,7 +54,8 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 			       "modulus of the bond, kn = E/(R_a + R_b)");
 	if (isnan(c->ks) == isnan(c->ratio) || (!isnan(c->ks) && !isnan(c->modulus)))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "bond_coeff: expected ratio, that of normal to shear stiffness kn/ks%s",
+			       "bond_coeff: expected %sratio, that of normal to shear stiffness kn/ks%s",
+			       isnan(c->modulus) ? "either " : "",
 			       isnan(c->modulus) ? ", or ks, the shear stiffness per area"
 						 : " (with E, not ks)");
 	TS_TRY(complete_softening(sim, c, where));

@@ -69,7 +69,8 @@ enum ts_arg_flags {
 	TS_REPEAT = 64,	   /* TS_ARG_REST: a keyword that may be given several times; words are appended */
 	TS_NAMED = 128,	   /* TS_ARG_REST: the keyword itself is stored as the first of the words; a name that
 			    * ends in NAME is a pattern: d_NAME matches d_heat */
-	TS_CUT = 256	   /* TS_ARG_INT: 10.7 is 10, with a warning */
+	TS_CUT = 256,	   /* TS_ARG_INT: 10.7 is 10, with a warning */
+	TS_SHARES = 512	   /* with TS_WRITES: several styles may write to the file */
 };
 
 struct ts_mode;

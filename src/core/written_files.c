@@ -8,7 +8,7 @@
 struct written {
 	const struct ts_instance *by;
 	const char *path;
-	bool append;
+	bool shared; /* others may write to it */
 };
 
 /* ./a is a. */
@@ -21,7 +21,7 @@ static const char *plain(const char *path)
 }
 
 /* The files of an instance from row *row on, one after the other; NULL: there are no more. */
-static const char *next_file(const struct ts_instance *inst, const struct ts_arg **row, bool *append)
+static const char *next_file(const struct ts_instance *inst, const struct ts_arg **row, bool *shared)
 {
 	for (; *row && (*row)->type != TS_ARG_END; ++*row) {
 		const char *path =
@@ -31,7 +31,7 @@ static const char *next_file(const struct ts_instance *inst, const struct ts_arg
 
 		if (!path || strncmp(path, "/dev/", 5) == 0)
 			continue;
-		*append = ts_streq((*row)->name, "append");
+		*shared = (*row)->flags & TS_SHARES || ts_streq((*row)->name, "append");
 		++*row;
 		return plain(path);
 	}
@@ -49,12 +49,12 @@ static const struct ts_instance *find_other(const struct tsim *sim, const struct
 		for (size_t k = 0; k < list->n; k++) {
 			const struct ts_arg *row = list->item[k]->style->args;
 			const char *path;
-			bool append;
+			bool shared;
 
 			if (list->item[k] == of->by)
 				return NULL;
-			while ((path = next_file(list->item[k], &row, &append)))
-				if (ts_streq(path, of->path) && !(append && of->append))
+			while ((path = next_file(list->item[k], &row, &shared)))
+				if (ts_streq(path, of->path) && !(shared && of->shared))
 					return list->item[k];
 		}
 	}
@@ -66,7 +66,7 @@ static enum ts_status check_instance(struct tsim *sim, const struct ts_instance 
 	const struct ts_arg *row = inst->style->args;
 	struct written file = { .by = inst };
 
-	while ((file.path = next_file(inst, &row, &file.append))) {
+	while ((file.path = next_file(inst, &row, &file.shared))) {
 		const struct ts_instance *other = find_other(sim, &file);
 
 		if (other)

@@ -294,7 +294,7 @@ static void fini(struct ts_instance *self)
 static const struct ts_arg args[] = {
 	TS_INT("every", struct state, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "steps between frames"),
-	TS_WORD("file", struct state, common.file, .flags = TS_POSITIONAL | TS_WRITES,
+	TS_WORD("file", struct state, common.file, .flags = TS_POSITIONAL | TS_WRITES | TS_SHARES,
 		.help = "name of the file, usually ending in .h5; with a `*` for the step one file per "
 			"frame"),
 	TS_REST("words", struct state, words,

@@ -118,12 +118,6 @@ static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim, 
 	m = ts_wall_model(w, sim);
 	if (!ts_cohesion_bridges(m))
 		return TS_OK;
-	if (ts_wall_meshes(w))
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: bridges of liquid reach beyond the touch, which contacts with "
-			       "triangles do not follow; take a plane, a cylinder or a region, or leave "
-			       "cohesion out",
-			       self->style->name);
 	if (m->cohesion == TS_COHESION_WASHINO)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: cohesion washino/capillary/viscous is for particles alone; give the "

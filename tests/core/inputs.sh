@@ -62,7 +62,7 @@ wrong 'there are no elements or columns for *' 'fix a all vector 1 c_p[*]'
 wrong "dump custom: unknown quantity 'step'" 'dump a all custom 1 a.dump step'
 wrong "dump local: 'c_p[1]' is numbers of particles, expected rows of contacts, bonds or triangles" \
 	'dump a all local 1 a.dump c_p[1]'
-wrong "'f_a' is an array" 'fix a all vector 1 step time' 'fix b all ave/time 1 1 1 f_a mode vector'
+wrong "'f_a' is an array" 'fix a all vector 1 step time' 'fix b all ave/time 1 1 1 f_a'
 wrong 'the array has 1 rows and 2 columns' 'fix a all vector 1 step time' 'run 0' \
 	'print $(f_a[2][1])'
 
