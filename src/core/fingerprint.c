@@ -146,3 +146,12 @@ enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 	*out = 0;
 	return TS_OK;
 }
+
+enum ts_status ts_fingerprint_differs(struct tsim *sim, uint64_t before, bool *differs)
+{
+	uint64_t now;
+
+	TS_TRY(ts_sim_fingerprint(sim, &now));
+	*differs = !now || now != before;
+	return TS_OK;
+}

@@ -9,6 +9,8 @@
  * particles and what else styles add in their slot `fingerprint`. 0: a variable has no value now, so that it cannot be told
  * whether something has changed. */
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out);
+/* Whether it is not `before` now, or cannot be told. */
+enum ts_status ts_fingerprint_differs(struct tsim *sim, uint64_t before, bool *differs);
 /* Whether that of the last run was made by an older version, as read from its restart file: it depends on the order of the
  * particles, and is compared with one that is made so, too. Others have the highest bit. */
 bool ts_fingerprint_in_order(const struct tsim *sim);

@@ -101,11 +101,11 @@ static enum ts_status set_up_own(struct ts_plan *plan, struct tsim *sim, bool *d
 
 enum ts_status ts_plan_is_unchanged(struct tsim *sim, bool *unchanged)
 {
-	uint64_t fingerprint;
+	bool differs;
 	double changed;
 
-	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	changed = !fingerprint || fingerprint != sim->run.fingerprint;
+	TS_TRY(ts_fingerprint_differs(sim, sim->run.fingerprint, &differs));
+	changed = differs;
 	if (is_apart(sim)) /* each rank has hashed its own particles */
 		ts_world_most(sim->world, &changed, 1);
 	*unchanged = !(changed > 0);

@@ -29,11 +29,11 @@ void ts_ranks_end_pause(struct tsim *sim)
  * ranks, and so neither is the fingerprint. */
 static enum ts_status find_changed(struct tsim *sim, bool *changed)
 {
-	uint64_t fingerprint;
+	bool differs;
 	double most;
 
-	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	most = !fingerprint || fingerprint != sim->run.fingerprint;
+	TS_TRY(ts_fingerprint_differs(sim, sim->run.fingerprint, &differs));
+	most = differs;
 	ts_world_most(sim->world, &most, 1);
 	*changed = most > 0;
 	return TS_OK;

@@ -37,13 +37,13 @@ enum ts_status ts_stepping_end(struct ts_stepping *stepping, struct tsim *sim)
 
 static enum ts_status is_unchanged(struct ts_stepping *stepping, struct tsim *sim, bool *yes)
 {
-	uint64_t now = 0;
+	bool differs = false;
 
 	*yes = stepping->open;
 	if (!stepping->open || !stepping->watched)
 		return TS_OK;
-	TS_TRY(ts_sim_fingerprint(sim, &now));
-	*yes = now && now == stepping->fingerprint;
+	TS_TRY(ts_fingerprint_differs(sim, stepping->fingerprint, &differs));
+	*yes = !differs;
 	return TS_OK;
 }
 

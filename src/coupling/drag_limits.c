@@ -105,21 +105,40 @@ static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, d
 			       self->style->name);
 }
 
-void ts_drag_add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
-			struct ts_ground_springs *sum)
+/* The drag coefficient of particle i (force/velocity), and its diameter; 0: no fluid brakes it. */
+static double coefficient_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+			     double *diameter)
 {
 	const struct ts_drag *s = self->state;
 	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
 	struct ts_slip slip = { .density = flow->density(s->flow), .viscosity = flow->viscosity(s->flow) };
 	double w[3];
 
-	if ((s->scheme != TS_DRAG_EXPLICIT && !ts_rigid_member(sim->particles, i)) || !(slip.viscosity > 0) ||
-	    !ts_drag_slip_at(self, sim->particles, i, &slip, w))
+	if (!(slip.viscosity > 0) || !ts_drag_slip_at(self, p, i, &slip, w))
+		return 0;
+	*diameter = slip.diameter;
+	return ts_drag_style_of(self)->coefficient(s, &slip);
+}
+
+/* Whether the force on particle i is explicit. */
+static bool is_explicit(const struct ts_drag *s, const struct ts_particles *p, size_t i)
+{
+	return s->scheme == TS_DRAG_EXPLICIT || ts_rigid_member(p, i);
+}
+
+void ts_drag_add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+			struct ts_ground_springs *sum)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double rate, diameter;
+
+	if (!is_explicit(s, p, i))
 		return;
+	rate = coefficient_at(self, p, i, &diameter) * p->imass[i];
 	for (int d = 0; d < 3; d++)
 		if (ts_drag_acts_along(s, d))
-			sum->rate[d] +=
-				ts_drag_style_of(self)->coefficient(s, &slip) * sim->particles->imass[i];
+			sum->rate[d] += rate;
 }
 
 /* Largest diameter; smallest relaxation times m/c of all particles, and of those with explicit drag. */
@@ -130,24 +149,21 @@ struct relaxation_times {
 static struct relaxation_times relaxation_times_of(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_drag *s = self->state;
-	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
 	const struct ts_particles *p = sim->particles;
 	struct relaxation_times t = { 0, INFINITY, INFINITY };
 
 	for (size_t i = 0; i < p->n; i++) {
-		struct ts_slip slip = { .density = flow->density(s->flow),
-					.viscosity = flow->viscosity(s->flow) };
-		double w[3], tau;
+		double c, tau, diameter = 0;
 
-		if (!ts_in_group(p, i, self->group) || !(slip.viscosity > 0) ||
-		    !ts_drag_slip_at(self, p, i, &slip, w))
+		if (!ts_in_group(p, i, self->group))
 			continue;
-		t.largest = fmax(t.largest, slip.diameter);
-		if (ts_drag_motion_prescribed(s, sim, i))
+		c = coefficient_at(self, p, i, &diameter);
+		t.largest = fmax(t.largest, diameter);
+		if (!(diameter > 0) || ts_drag_motion_prescribed(s, sim, i))
 			continue;
-		tau = ts_drag_mass(s, sim, i) / ts_drag_style_of(self)->coefficient(s, &slip);
+		tau = ts_drag_mass(s, sim, i) / c;
 		t.least = fmin(t.least, tau);
-		if (s->scheme == TS_DRAG_EXPLICIT || ts_rigid_member(p, i))
+		if (is_explicit(s, p, i))
 			t.explicit = fmin(t.explicit, tau);
 	}
 	return t;

@@ -33,14 +33,19 @@ static bool add_fix(const struct ts_instance *fix, const struct tsim *sim, size_
 	return acts;
 }
 
-int ts_ground_of(const struct tsim *sim, size_t i, struct ts_ground_springs *sum)
+int ts_ground_of(const struct tsim *sim, size_t i, struct ts_ground_springs *sum,
+		 const struct ts_instance **last)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	int n = 0;
 
 	memset(sum, 0, sizeof *sum);
+	*last = NULL;
 	for (size_t k = 0; k < fixes->n; k++)
-		n += add_fix(fixes->item[k], sim, i, sum);
+		if (add_fix(fixes->item[k], sim, i, sum)) {
+			*last = fixes->item[k];
+			n++;
+		}
 	return n;
 }
 
@@ -74,55 +79,41 @@ static double limit_of(const struct ts_ground_springs *s)
 	return limit;
 }
 
-struct names {
-	int n;
-	const struct ts_instance *last;
-	struct ts_str list; /* "fix spring/self a, fix viscous b" */
-};
+/* Of members of rigid bodies the mass is that of the particle, not of the body. */
+static bool is_estimated(const struct tsim *sim, size_t i, const struct ts_ground_springs *sum)
+{
+	return sum->estimated || ts_rigid_member(sim->particles, i);
+}
 
-static void find_names(const struct tsim *sim, size_t i, struct names *names)
+/* "fix spring/self a, fix viscous b" */
+static void name_fixes(const struct tsim *sim, size_t i, struct ts_str *names)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	struct ts_ground_springs sum = { .turning = 0 };
 
 	for (size_t k = 0; k < fixes->n; k++)
-		if (add_fix(fixes->item[k], sim, i, &sum)) {
-			names->last = fixes->item[k];
-			ts_str_addf(&names->list, "%sfix %s %s", names->n++ ? ", " : "",
-				    names->last->style->name, names->last->id);
-		}
+		if (add_fix(fixes->item[k], sim, i, &sum))
+			ts_str_addf(names, "%sfix %s %s", names->length ? ", " : "",
+				    fixes->item[k]->style->name, fixes->item[k]->id);
 }
 
-static enum ts_status report_particle(struct ts_plan_report *report, struct tsim *sim, size_t i, double limit,
-				      bool estimated)
+static enum ts_status report_particle(struct ts_plan_report *report, struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	struct names names = { 0 };
+	const struct ts_instance *last;
+	struct ts_ground_springs sum;
+	struct ts_str names = { 0 };
+	const int n = ts_ground_of(sim, i, &sum, &last);
 	enum ts_status status;
 
-	find_names(sim, i, &names);
-	status = ts_report_limit(report, limit, !estimated && !sim->run.clamped && !sim->run.explicit_euler,
-				 &names.last->where, "%s%s, on particle %d of type %d at (%.4g %.4g %.4g)",
-				 names.list.text ? names.list.text : "fixes", names.n > 1 ? " together" : "",
-				 p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2]);
-	ts_str_release(&names.list);
+	name_fixes(sim, i, &names);
+	status = ts_report_limit(report, limit_of(&sum),
+				 !is_estimated(sim, i, &sum) && !sim->run.clamped && !sim->run.explicit_euler,
+				 &last->where, "%s%s, on particle %d of type %d at (%.4g %.4g %.4g)",
+				 names.text ? names.text : "fixes", n > 1 ? " together" : "", p->tag[i],
+				 p->type[i], p->x[i][0], p->x[i][1], p->x[i][2]);
+	ts_str_release(&names);
 	return status;
-}
-
-/* Sets *sum to that of particle i. Returns whether no fix reports its limit in its slot `plan`. */
-static bool is_unreported(const struct tsim *sim, size_t i, struct ts_ground_springs *sum)
-{
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	bool unreported = false;
-	int n = 0;
-
-	memset(sum, 0, sizeof *sum);
-	for (size_t k = 0; k < fixes->n; k++)
-		if (add_fix(fixes->item[k], sim, i, sum)) {
-			unreported |= !fixes->item[k]->style->plan;
-			n++;
-		}
-	return n > 1 || unreported;
 }
 
 enum ts_status ts_ground_report(struct ts_plan_report *report, struct tsim *sim)
@@ -137,20 +128,23 @@ enum ts_status ts_ground_report(struct ts_plan_report *report, struct tsim *sim)
 	if (!ts_ground_fixes(sim, &last))
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
-		bool in_body = ts_rigid_member(p, i);
 		struct ts_ground_springs sum;
+		bool estimated;
+		int n;
 
-		if (!(p->mask[i] & moved || in_body) || p->mask[i] & prescribed ||
-		    !is_unreported(sim, i, &sum))
+		if (!(p->mask[i] & moved || ts_rigid_member(p, i)) || p->mask[i] & prescribed)
 			continue;
-		sum.estimated |= in_body;
-		if (limit_of(&sum) < least[sum.estimated]) {
-			least[sum.estimated] = limit_of(&sum);
-			at[sum.estimated] = i;
+		n = ts_ground_of(sim, i, &sum, &last);
+		if (!n || (n == 1 && last->style->plan)) /* which reports it */
+			continue;
+		estimated = is_estimated(sim, i, &sum);
+		if (limit_of(&sum) < least[estimated]) {
+			least[estimated] = limit_of(&sum);
+			at[estimated] = i;
 		}
 	}
 	for (int k = 0; k < 2; k++)
 		if (isfinite(least[k]))
-			TS_TRY(report_particle(report, sim, at[k], least[k], k == 1));
+			TS_TRY(report_particle(report, sim, at[k]));
 	return TS_OK;
 }

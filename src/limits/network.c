@@ -101,11 +101,12 @@ static void arm_to(const struct network *w, size_t i, double arm[3])
 
 static void set_ground(const struct network *w, size_t node, struct ts_lanczos_body *b)
 {
+	const struct ts_instance *last;
 	struct ts_ground_springs g;
 
 	if (!w->grounded || !(b->inverse_mass > 0))
 		return;
-	ts_ground_of(w->sim, node, &g);
+	ts_ground_of(w->sim, node, &g, &last);
 	for (int d = 0; d < 3; d++)
 		b->spring[d] = g.frequency2[d] / b->inverse_mass;
 	b->drag[0] = fmax(fmax(g.rate[0], g.rate[1]), g.rate[2]) / b->inverse_mass;
@@ -586,10 +587,11 @@ static enum ts_status search_places(struct network *w, struct ts_plan_report *re
 /* The score of a particle with its springs and dashpots to the ground; 0: it has none. */
 static double grounded_score(const struct network *w, size_t i)
 {
+	const struct ts_instance *last;
 	struct ts_ground_springs g;
 	double frequency2 = 0, rate;
 
-	if (!ts_ground_of(w->sim, i, &g))
+	if (!ts_ground_of(w->sim, i, &g, &last))
 		return 0;
 	rate = g.turning;
 	for (int d = 0; d < 3; d++) {

@@ -62,10 +62,8 @@ static enum ts_status rotate_rate(struct ts_instance *self, struct tsim *sim, do
 {
 	const struct state *s = self->state;
 
+	(void)sim;
 	(void)t;
-	if (s->period == 0)
-		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "period"),
-			       "fix move/mesh: the period is 0, must not be");
 	r->spin = 2 * TS_PI / s->period;
 	return TS_OK;
 }
@@ -193,6 +191,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				       "fix move/mesh: the axis has no length");
 		ts_scale(1 / length, s->axis, s->unit);
 	}
+	if (kind->rate == rotate_rate && s->period == 0)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "period"),
+			       "fix move/mesh: the period is 0, must not be");
 	for (int k = 0; k < 3 && !kind->turns; k++)
 		s->mover.origin[k] = 0;
 	if (kind->vibrates)

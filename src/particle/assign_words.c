@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "box/domain.h"
+#include "particle/columns.h"
 #include "particle/draw.h"
 #include "particle/particles.h"
 
@@ -189,13 +190,43 @@ static enum ts_status find_components(struct tsim *sim, const struct ts_word *wo
 	return TS_OK;
 }
 
-static enum ts_status read_value(struct tsim *sim, const struct ts_word *word, struct ts_number *out)
+/* A number, or v_NAME of a variable that exists. */
+static bool read_number(const struct tsim *sim, const struct ts_word *word, struct ts_number *out)
 {
 	const char *name = strncmp(word->text, "v_", 2) == 0 ? word->text + 2 : NULL;
 
 	*out = (struct ts_number){ .variable = name };
-	if (name ? sim->script_api && sim->script_api->has_variable(sim->script_api_data, name)
-		 : ts_parse_real(word->text, &out->value))
+	return name ? sim->script_api && sim->script_api->has_variable(sim->script_api_data, name)
+		    : ts_parse_real(word->text, &out->value);
+}
+
+enum ts_status ts_assign_omega(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+			       size_t *count)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_number number[3];
+	struct ts_table table = { 0 };
+	enum ts_status status = TS_OK;
+
+	for (size_t d = 0; d < 3; d++)
+		if (words.n != 3 || !read_number(sim, &words.word[d], &number[d]))
+			return ts_fail(&sim->error, TS_SYNTAX, &words.word[words.n == 3 ? d : 0].place,
+				       "set: omega takes three numbers or variables, v_NAME");
+	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
+	*count = count_chosen(sim, chosen);
+	for (int d = 0; d < 3 && status == TS_OK; d++) {
+		status = ts_assign_values(sim, &number[d], &words.word[d].place, &table);
+		for (size_t i = 0; i < p->n && status == TS_OK; i++)
+			if (chosen[i])
+				p->omega[i][d] = table.data[i];
+	}
+	ts_table_release(&table);
+	return status;
+}
+
+static enum ts_status read_value(struct tsim *sim, const struct ts_word *word, struct ts_number *out)
+{
+	if (read_number(sim, word, out))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 		       "set: property/atom is '%s', expected a number or v_name", word->text);

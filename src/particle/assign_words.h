@@ -14,6 +14,9 @@ enum ts_status ts_assign_type(struct tsim *sim, enum ts_part selection, struct t
 /* Sets image flags; words: three integers, or NULL to leave a component. */
 enum ts_status ts_assign_image(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
 			       size_t *count);
+/* Sets the angular velocity; words: three numbers or variables, v_NAME. */
+enum ts_status ts_assign_omega(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+			       size_t *count);
 /* Sets columns of fix property/atom or of another fix; words: NAME and one value, a number or v_NAME, for
  * each component, or NAME[k] and one value; any number of times. Values of i_NAME are integers. */
 enum ts_status ts_assign_properties(struct tsim *sim, struct ts_words words, const unsigned char *chosen,

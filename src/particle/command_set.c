@@ -3,7 +3,6 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <string.h>
 
 #include "bond/bonds.h"
 #include "core/ranks.h"
@@ -176,40 +175,6 @@ static int next_number(const struct state *s, size_t *at)
 	return next;
 }
 
-static bool is_variable(const struct tsim *sim, const char *text)
-{
-	return strncmp(text, "v_", 2) == 0 && sim->script_api &&
-	       sim->script_api->has_variable(sim->script_api_data, text + 2);
-}
-
-static enum ts_status set_omega(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
-				size_t *count)
-{
-	struct ts_particles *p = sim->particles;
-	struct ts_number number[3] = { { 0 } };
-	struct ts_table table = { 0 };
-	enum ts_status status = TS_OK;
-
-	for (size_t d = 0; d < 3; d++) {
-		if (words.n == 3 && is_variable(sim, words.word[d].text))
-			number[d].variable = words.word[d].text + 2;
-		else if (words.n != 3 || !ts_parse_real(words.word[d].text, &number[d].value))
-			return ts_fail(&sim->error, TS_SYNTAX, &words.word[words.n == 3 ? d : 0].place,
-				       "set: omega takes three numbers or variables, v_NAME");
-	}
-	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
-	for (size_t i = *count = 0; i < p->n; i++)
-		*count += chosen[i];
-	for (int d = 0; d < 3 && status == TS_OK; d++) {
-		status = ts_assign_values(sim, &number[d], &words.word[d].place, &table);
-		for (size_t i = 0; i < p->n && status == TS_OK; i++)
-			if (chosen[i])
-				p->omega[i][d] = table.data[i];
-	}
-	ts_table_release(&table);
-	return status;
-}
-
 /* Sets the type of the bonds of which both particles are chosen. */
 static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
 			       size_t *count)
@@ -252,7 +217,7 @@ static enum ts_status set_words(struct tsim *sim, const struct state *s, const u
 	case IMAGE:
 		return ts_assign_image(sim, s->words[what], chosen, count);
 	case OMEGA:
-		return set_omega(sim, s->words[what], chosen, count);
+		return ts_assign_omega(sim, s->words[what], chosen, count);
 	case PROPERTY:
 	case NAMED:
 		return ts_assign_properties(sim, s->words[what], chosen, count);

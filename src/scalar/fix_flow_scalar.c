@@ -316,12 +316,14 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 /* ---- with each step of the fluid */
 
-static enum ts_status check_substeps(struct ts_instance *self, struct tsim *sim, double dt)
+/* The number of substeps over dt; fails if there are too many. */
+static enum ts_status count_substeps(struct ts_instance *self, struct tsim *sim, double dt, long *n)
 {
 	static const double MOST = 1e6;
 	const struct state *s = self->state;
 	const double parts = ts_transport_parts(&s->transport, s->fluid, dt);
 
+	*n = (long)fmin(parts, MOST);
 	if (parts <= MOST)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
@@ -335,13 +337,14 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 				     double dt)
 {
 	struct state *s = self->state;
+	long n;
 
 	TS_TRY(evaluate_conditions(self, sim));
 	if (s->steps > 1) /* the mean over these steps */
 		ts_fluid_divide_field(fluid, s->transport.source, (double)s->steps);
 	s->steps = s->steps ? 1 : 0;
-	TS_TRY(check_substeps(self, sim, dt));
-	ts_transport_advance(&s->transport, fluid, dt, ts_team(sim, s->size));
+	TS_TRY(count_substeps(self, sim, dt, &n));
+	ts_transport_advance(&s->transport, fluid, dt, n, ts_team(sim, s->size));
 	return TS_OK;
 }
 
@@ -460,11 +463,12 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 {
 	const struct state *s = self->state;
 	const struct ts_projection *p = ts_sim_only(sim, TS_KIND_FLOW)->state;
+	long n;
 
 	if (report->limits_only)
 		return TS_OK;
 	if (p->substeps) /* else the fluid chooses its steps later */
-		TS_TRY(check_substeps(self, sim, (double)p->every * sim->clock.dt / (double)p->substeps));
+		TS_TRY(count_substeps(self, sim, (double)p->every * sim->clock.dt / (double)p->substeps, &n));
 	ts_report_line(report, "scalar",
 		       "convection %s, diffusivity %g, stable at present up to %g (divided into substeps "
 		       "automatically)",

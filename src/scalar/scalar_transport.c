@@ -222,12 +222,10 @@ void ts_transport_rehearse(const struct ts_transport *t, const struct ts_fluid *
 	}
 }
 
-long ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
+void ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, long parts,
+			  int threads)
 {
-	const long parts = (long)ts_transport_parts(t, fluid, dt);
-
 	for (long k = 0; k < parts; k++)
 		heun_step(t, fluid, dt / (double)parts, threads);
 	ts_transport_fill(t, fluid, t->value);
-	return parts;
 }

@@ -39,8 +39,8 @@ void ts_transport_fill(const struct ts_transport *transport, const struct ts_flu
 double ts_transport_limit(const struct ts_transport *transport, const struct ts_fluid *fluid);
 /* The number of substeps that the limit requires over dt. */
 double ts_transport_parts(const struct ts_transport *transport, const struct ts_fluid *fluid, double dt);
-/* Advances T over dt, in as many substeps as the limit requires; returns their number. */
-long ts_transport_advance(struct ts_transport *transport, const struct ts_fluid *fluid, double dt,
+/* Advances T over dt, in so many substeps. */
+void ts_transport_advance(struct ts_transport *transport, const struct ts_fluid *fluid, double dt, long parts,
 			  int threads);
 /* Exchanges among ranks what that exchanges, without computing it. */
 void ts_transport_rehearse(const struct ts_transport *transport, const struct ts_fluid *fluid, double dt);

@@ -90,41 +90,43 @@ static bool is_listed(const struct ts_instance *self, const struct ts_wall *w, s
 
 struct listed {
 	const struct ts_wall *wall;
-	int at, meshes_before;
+	int meshes_before;
 	int32_t tag;
 	size_t k;
 };
 
-/* By walls, in the order of the script, identities of particles, and the order of the contacts of a particle: so it does not
- * depend on how particles lie in memory. */
-static int by_wall_and_identity(const void *one, const void *other)
+/* By identities of particles, and the order of the contacts of a particle: so it does not depend on how particles lie in
+ * memory. */
+static int by_identity(const void *one, const void *other)
 {
 	const struct listed *a = one, *b = other;
 
-	if (a->at != b->at)
-		return a->at < b->at ? -1 : 1;
 	if (a->tag != b->tag)
 		return a->tag < b->tag ? -1 : 1;
 	return a->k < b->k ? -1 : a->k > b->k;
 }
 
-/* Returns the number of contacts; list NULL: only counts. */
+/* In the order of walls and by_identity. Returns the number of contacts; list NULL: only counts. */
 static size_t list_contacts(const struct ts_instance *self, struct listed *list)
 {
 	const struct state *s = self->state;
 	const struct ts_wall *w;
-	int meshes_before = 0, wall = 0;
+	int meshes_before = 0;
 	size_t n = 0;
 
-	for (size_t at = 0; (w = ts_walls_next(s->sim, &at, NULL)); wall++) {
+	for (size_t at = 0; (w = ts_walls_next(s->sim, &at, NULL));) {
+		const size_t first = n;
+
 		for (size_t k = 0; k < w->contacts.n; k++) {
 			if (!is_listed(self, w, k))
 				continue;
 			if (list)
-				list[n] = (struct listed){ w, wall, meshes_before,
+				list[n] = (struct listed){ w, meshes_before,
 							   s->sim->particles->tag[w->contacts.row[k]], k };
 			n++;
 		}
+		if (list)
+			ts_sort(list + first, n - first, sizeof *list, by_identity);
 		meshes_before += (int)ts_wall_meshes(w);
 	}
 	return n;
@@ -147,10 +149,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	width = ts_contact_columns_width(&s->columns, history);
 	list = ts_alloc(n, sizeof *list);
 	status = list ? ts_table_resize(out, n, width) : ts_nomem(&s->sim->error);
-	if (status == TS_OK) {
+	if (status == TS_OK)
 		list_contacts(self, list);
-		ts_sort(list, n, sizeof *list, by_wall_and_identity);
-	}
 	for (size_t r = 0; r < n && status == TS_OK; r++) {
 		struct ts_contact_facts facts;
 

@@ -31,7 +31,7 @@ static const struct {
 	{ &ts_mesh_wall_shape, offsetof(struct wall, mesh) },
 	{ &ts_voxel_wall_shape, offsetof(struct wall, voxel) },
 };
-enum { PRIMITIVE, MESH, SHAPES = sizeof shapes / sizeof *shapes };
+enum { PRIMITIVE, SHAPES = sizeof shapes / sizeof *shapes };
 
 static void *geometry_of(struct ts_instance *self, int shape)
 {
@@ -75,19 +75,6 @@ static enum ts_status init_exact(struct ts_instance *self, struct tsim *sim)
 	return ts_exact_init(self, sim, shape->exact, w->wall.geometry);
 }
 
-/* When the law is known. */
-static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim)
-{
-	const struct ts_wall *w = self->state;
-
-	if (!ts_wall_has_law(w, sim) || !ts_cohesion_bridges(ts_wall_model(w, sim)))
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
-		       "triangles do not follow; take a plane, a cylinder or a region, or leave "
-		       "cohesion out");
-}
-
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
@@ -97,8 +84,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
 	TS_TRY(ts_wall_find(self, sim, shapes[shape].shape, geometry_of(self, shape)));
 	TS_TRY(init_exact(self, sim));
-	TS_TRY(ts_wall_init(self, sim));
-	return shape == MESH ? check_bridges(self, sim) : TS_OK;
+	return ts_wall_init(self, sim);
 }
 
 /* ---- stages ---- */
