@@ -1404,6 +1404,8 @@ library_sources = \
 	src/rigid/rigid.h \
 	src/rigid/rigid_batch.c \
 	src/rigid/rigid_batch.h \
+	src/rigid/rigid_follow.c \
+	src/rigid/rigid_follow.h \
 	src/rigid/rigid_motion.c \
 	src/rigid/rigid_motion.h \
 	src/rigid/rigid_ranks.c \

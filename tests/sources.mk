@@ -230,6 +230,7 @@ shell_tests = \
 	tests/rough/load_curve.sh \
 	tests/rough/surface_contact.sh \
 	tests/script/accepted.sh \
+	tests/script/between_runs.sh \
 	tests/script/commands.sh \
 	tests/script/corpus.sh \
 	tests/script/dry_run.sh \

@@ -154,6 +154,32 @@ static enum ts_status read_bounds(struct ts_instance *self, struct tsim *sim, st
 	return TS_OK;
 }
 
+static bool has_bins_along(const struct ts_chunks *c, int dim)
+{
+	bool has = false;
+
+	for (int k = 0; k < c->naxes; k++)
+		has |= c->axis[k].dim == dim;
+	return has;
+}
+
+static enum ts_status check_bounds(const struct ts_instance *self, struct tsim *sim,
+				   const struct ts_chunks *c)
+{
+	for (int dim = 0; dim < 3; dim++) {
+		const struct ts_chunk_bound *bound = c->bound[dim];
+
+		if ((bound[0].given || bound[1].given) && !has_bins_along(c, dim))
+			ts_warn(&sim->log, ts_instance_word(self, "bound"),
+				"%s %s: bound %s has no effect: there are no bins along %s",
+				ts_kind_name(self->style->kind), self->style->name, dims[dim], dims[dim]);
+		if (bound[0].given && bound[1].given && !(bound[0].at < bound[1].at))
+			return refuse_word(sim, self, c->bound_words.word,
+					   "the upper bound must be larger than the lower one");
+	}
+	return TS_OK;
+}
+
 static enum ts_status read_limit(struct ts_instance *self, struct tsim *sim, struct ts_chunks *c)
 {
 	struct ts_words w = c->limit_words;
@@ -209,6 +235,7 @@ static enum ts_status parse_definition(struct ts_instance *self, struct tsim *si
 	for (int k = 0; k < c->naxes; k++)
 		TS_TRY(read_origin(self, sim, &c->axis[k]));
 	TS_TRY(read_bounds(self, sim, c));
+	TS_TRY(check_bounds(self, sim, c));
 	TS_TRY(read_limit(self, sim, c));
 	TS_TRY(check_geometry(self, sim, c));
 	if (c->style == TS_CHUNK_SPHERE || c->style == TS_CHUNK_CYLINDER)

@@ -65,6 +65,11 @@ static void fini(struct ts_instance *self)
 	ts_table_release(&s->each);
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct state *)self->state)->input.n;
+}
+
 static const struct ts_value values[] = {
 	{ "values", "", "values of its chunk, one for each input; 0 outside chunks or group", TS_PERATOM, 0,
 	  NULL, eval },
@@ -97,6 +102,7 @@ const struct ts_style ts_compute_chunk_spread_atom = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,
+	.width = width,
 	.init = init,
 	.fini = fini,
 };

@@ -102,6 +102,11 @@ static void fini(struct ts_instance *self)
 	ts_ref_list_release(&s->input);
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct state *)self->state)->input.n;
+}
+
 static const struct ts_value values[] = {
 	{ .name = "averages",
 	  .unit = "",
@@ -137,6 +142,7 @@ const struct ts_style ts_fix_ave_atom = {
 	.saved = saved,
 	.archive = archive,
 	.values = values,
+	.width = width,
 	.init = init,
 	.hook = {
 		[TS_STAGE_SETUP] = sample,

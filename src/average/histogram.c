@@ -173,6 +173,14 @@ static double fraction(const struct ts_histogram *h, size_t bin)
 	return total > 0 ? h->average.result[bin] / total : 0;
 }
 
+/* The least and the largest value are 0 if there is no value in any sample. */
+static double statistic(const struct ts_histogram *h, size_t k)
+{
+	const double *s = h->average.result + count_bins(h);
+
+	return (k == LEAST || k == LARGEST) && !(s[LEAST] <= s[LARGEST]) ? 0 : s[k];
+}
+
 static enum ts_status add_csv_names(struct ts_histogram *h, struct tsim *sim)
 {
 	static const char *const names[] = { "step",  "bin",	 "coord", "count", "fraction",
@@ -193,7 +201,7 @@ static void add_csv_row(struct ts_histogram *h, const struct tsim *sim, size_t b
 	ts_average_file_number(f, h->average.result[bin]);
 	ts_average_file_number(f, fraction(h, bin));
 	for (size_t k = 0; k < NSTATISTICS; k++)
-		ts_average_file_number(f, h->average.result[count_bins(h) + k]);
+		ts_average_file_number(f, statistic(h, k));
 	ts_csv_end(&f->text);
 }
 
@@ -215,7 +223,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 		return ts_average_file_end(sim, &h->file);
 	ts_str_addf(text, "%lld %zu", (long long)sim->clock.step, n);
 	for (size_t k = 0; k < NSTATISTICS; k++)
-		ts_average_file_number(&h->file, h->average.result[n + k]);
+		ts_average_file_number(&h->file, statistic(h, k));
 	ts_str_add(text, "\n");
 	for (size_t b = 0; b < n; b++) {
 		ts_str_addf(text, "%zu", b + 1);
@@ -242,8 +250,6 @@ enum ts_status ts_histogram_sample(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(add_input(self, sim, k));
 	if (!ts_average_sampled(&h->average, sim))
 		return TS_OK;
-	if (!(s[LEAST] <= s[LARGEST])) /* no values in any sample */
-		s[LEAST] = s[LARGEST] = 0;
 	ts_average_combine(&h->average);
 	return write_result(self, sim);
 }
@@ -266,7 +272,7 @@ static enum ts_status eval_statistics(struct ts_instance *self, const struct tsi
 
 	(void)sim;
 	for (size_t k = 0; k < NSTATISTICS; k++)
-		out->data[k] = h->average.result[count_bins(h) + k];
+		out->data[k] = statistic(h, k);
 	return TS_OK;
 }
 

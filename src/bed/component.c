@@ -39,9 +39,11 @@ enum ts_status ts_component_init(struct ts_instance *self, struct tsim *sim)
 	char what[80];
 
 	c->sim = sim;
+	snprintf(what, sizeof what, "compute %s", self->style->name);
+	if (c->kind == TS_COMPONENT_TYPE)
+		return ts_particles_require_types(sim, what, &c->types, &self->where);
 	if (c->kind != TS_COMPONENT_ABOVE)
 		return TS_OK;
-	snprintf(what, sizeof what, "compute %s", self->style->name);
 	c->value.name = c->name;
 	c->value.where = *ts_instance_word(self, c->name);
 	return ts_ref_input_resolve(sim, what, TS_WANT(PERATOM), &c->value);

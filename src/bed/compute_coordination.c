@@ -71,6 +71,8 @@ static enum ts_status count_contacts(struct ts_instance *self)
 	struct task task = { p, s, self->group };
 	double most = 0;
 
+	if (s->walls)
+		TS_TRY(ts_walls_connect(s->sim));
 	if (TS_GROW(s->count, s->capacity, p->n + 1) != TS_OK)
 		return ts_nomem(&s->sim->error);
 	for (size_t i = 0; i < p->n; i++) {

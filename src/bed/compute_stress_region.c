@@ -244,6 +244,7 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 	TS_TRY(ts_region_update(s->region, s->sim));
 	TS_TRY(find_volume(self, s->sim, &volume));
 	TS_TRY(ts_contacts_forces(s->sim, self));
+	TS_TRY(ts_walls_connect(s->sim));
 	add_pairs(self, s, &sums);
 	add_walls(self, s, &sums);
 	add_motion(self, s, &sums);

@@ -128,6 +128,25 @@ enum ts_status ts_bonds_connect(struct tsim *sim)
 	return ts_bonds_build_index(sim);
 }
 
+static bool is_connected(const struct ts_bonds *b, const struct ts_particles *p)
+{
+	for (size_t k = 0; k < b->n; k++)
+		for (int s = 0; s < 2; s++) {
+			size_t i = (size_t)b->row[k][s];
+
+			if (i >= p->n || p->tag[i] != b->tag[k][s])
+				return false;
+		}
+	return true;
+}
+
+enum ts_status ts_bonds_connect_if_changed(struct tsim *sim)
+{
+	if (sim->run.epoch || sim->division || is_connected(sim->bonds, sim->particles))
+		return TS_OK;
+	return ts_bonds_connect(sim);
+}
+
 /* After a rebuild local indices have changed, and particles may have left. */
 static enum ts_status update_partner_indices(struct ts_instance *self, struct tsim *sim)
 {

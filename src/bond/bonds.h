@@ -88,6 +88,7 @@ struct ts_bonds {
 	struct ts_bond_event *event;
 	double *event_energy; /* elastic energy of the bond when it broke; NaN: no potential, or an old restart file */
 	unsigned char *event_fresh; /* whether it was fresh when it broke: the contact list has its pair */
+	size_t past_events; /* of them, before the last reset_timestep: their steps are of another count */
 	size_t nevents, event_capacity, energy_capacity, event_fresh_capacity, reference_capacity,
 		load_capacity, damage_capacity, lost_capacity;
 };
@@ -180,6 +181,8 @@ size_t ts_bond_columns(const struct ts_bonds *bonds, struct ts_bond_column colum
 /* Finds the local indices of the partners, deletes bonds of particles that have left, and rebuilds the lists of
  * bonds by particle. */
 enum ts_status ts_bonds_connect(struct tsim *sim);
+/* Between runs: connects if particles have been deleted or created since; for outputs. */
+enum ts_status ts_bonds_connect_if_changed(struct tsim *sim);
 /* Rebuilds the lists of bonds by particle after the list or the local indices have changed. */
 enum ts_status ts_bonds_build_index(struct tsim *sim);
 

@@ -9,8 +9,9 @@
 
 enum { COLUMNS = 11 };
 
-/* With ranks: what all of them look at, while none has all bonds. */
 struct state {
+	struct tsim *sim;
+	/* with ranks: what all of them look at, while none has all bonds */
 	int64_t count;
 	size_t column; /* of particles: their bonds */
 };
@@ -59,6 +60,7 @@ static enum ts_status eval_count(struct ts_instance *self, const struct tsim *si
 {
 	const struct state *s = self->state;
 
+	TS_TRY(ts_bonds_connect_if_changed(s->sim));
 	out->data[0] = (double)(sim->run.looks ? s->count : count_bonds(self, sim));
 	return TS_OK;
 }
@@ -68,6 +70,7 @@ static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
+	TS_TRY(ts_bonds_connect_if_changed(s->sim));
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	if (sim->run.looks && p->n)
 		memcpy(out->data, p->column[s->column].data, p->n * sizeof *out->data);
@@ -82,6 +85,7 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 	const struct ts_particles *p = sim->particles;
 	size_t n = 0;
 
+	TS_TRY(ts_bonds_connect_if_changed(((const struct state *)self->state)->sim));
 	TS_TRY(ts_table_resize(out, bonds->n, COLUMNS));
 	for (size_t b = 0; b < bonds->n; b++) {
 		double *row = out->data + COLUMNS * n;
@@ -136,6 +140,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	char name[300];
 
+	s->sim = sim;
 	sim->bonds->shown = true; /* the list contains tensions */
 	if (!sim->world)
 		return TS_OK;

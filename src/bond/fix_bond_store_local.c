@@ -65,7 +65,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	int64_t after = sim->clock.step > 0 ? (sim->clock.step - 1) / s->every * s->every : -1;
 	size_t n = 0;
 
-	for (size_t k = b->nevents; k > 0 && b->event[k - 1].step > after; k--)
+	for (size_t k = b->nevents; k > b->past_events && b->event[k - 1].step > after; k--)
 		n++;
 	TS_TRY(ts_table_resize(out, n, s->list.n));
 	for (size_t k = 0; k < n; k++)

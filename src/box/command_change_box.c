@@ -270,6 +270,7 @@ static enum ts_status change_box(struct tsim *sim, void *state, const struct ts_
 	ts_arena_release(&w.arena);
 	TS_TRY(status);
 	TS_TRY(ts_domain_set_box(sim, w.now.lo, w.now.hi, where));
+	TS_TRY(sim->particles->bodies_follow(sim, false, "change_box", where));
 	TS_TRY(ts_exchange_migrate(sim));
 	ts_log(&sim->log, "Changed box = (%g %g %g) to (%g %g %g)\n", domain->box.lo[0], domain->box.lo[1],
 	       domain->box.lo[2], domain->box.hi[0], domain->box.hi[1], domain->box.hi[2]);

@@ -62,6 +62,12 @@ static enum ts_status check_replication(struct tsim *sim, const struct state *s,
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "replicate: %g identities would be needed, there are %d", largest_tag,
 			       INT32_MAX);
+	for (size_t i = 0; p->body && i < p->n; i++)
+		if (p->body[i])
+			return ts_fail(&sim->error, TS_STATE, where,
+				       "replicate: particle %d belongs to a rigid body, which is not copied: "
+				       "replicate first, then define the bodies",
+				       p->tag[i]);
 	for (int d = 0; d < 3; d++)
 		if (s->n[d] > 1 && !ts_box_periodic(&sim->domain->box, d))
 			ts_warn(&sim->log, where,
@@ -104,7 +110,7 @@ static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
 	size_t first;
 
 	TS_TRY(ts_particles_add(sim, (size_t)(total - 1) * b->n, &first));
-	for (int64_t k = 0; k < total; k++) {
+	for (int64_t k = 0; k < total && b->n; k++) {
 		size_t row = (size_t)k * b->n;
 		int64_t at[3];
 

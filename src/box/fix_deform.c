@@ -579,6 +579,12 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static bool moves_by_time(const struct ts_instance *self)
+{
+	(void)self;
+	return true;
+}
+
 static const struct ts_saved saved[] = {
 	TS_SAVE_I64(struct state, started),
 	TS_SAVE_I64(struct state, begin),
@@ -631,4 +637,5 @@ const struct ts_style ts_fix_deform = {
 		[TS_STAGE_POST_INTEGRATE] = slide_images,
 		[TS_STAGE_END_OF_STEP] = deform_box,
 	},
+	.moves_by_time = moves_by_time,
 };

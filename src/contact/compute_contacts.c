@@ -44,6 +44,7 @@ static size_t count_contacts(const struct ts_instance *self, const struct tsim *
 
 static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
+	TS_TRY(ts_contacts_require(((const struct state *)self->state)->sim, self));
 	out->data[0] = (double)count_contacts(self, sim);
 	return TS_OK;
 }
@@ -53,6 +54,7 @@ static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 
+	TS_TRY(ts_contacts_require(((const struct state *)self->state)->sim, self));
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
@@ -98,7 +100,7 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	size_t n = 0;
 
-	TS_TRY(ts_contacts_kept(((const struct state *)self->state)->sim, self));
+	TS_TRY(ts_contacts_forces(((const struct state *)self->state)->sim, self));
 	TS_TRY(ts_table_resize(out, count_contacts(self, sim), COLUMNS));
 	for (size_t r = 0; r < list->n; r++)
 		if (is_counted(self, sim->particles, list, r))

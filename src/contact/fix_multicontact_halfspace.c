@@ -7,12 +7,16 @@
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	struct ts_multicontact *m = self->state;
 
-	if (sim->neigh->multicontact && sim->neigh->multicontact != m)
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix multicontact/halfspace: there is one already, and it acts on all "
-			       "contacts");
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style == self->style && !ts_streq(fixes->item[k]->id, self->id))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix multicontact/halfspace: there is one already, fix %s (%s:%d), "
+				       "and "
+				       "it acts on all contacts",
+				       fixes->item[k]->id, TS_FILE_AND_LINE(fixes->item[k]->where));
 	sim->neigh->multicontact = m;
 	m->neigh = sim->neigh;
 	m->group = self->group;

@@ -262,11 +262,13 @@ static enum ts_status check_combination(struct tsim *sim, const struct ts_gran_c
 			       "granular: %s does not go with %s, which attracts",
 			       restitution ? "damping coeff_restitution" : "limit_damping",
 			       normals[c->normal].name);
-	if (restitution && !(c->prefactor > 0 && c->prefactor <= 1))
+	if ((restitution && !(c->prefactor > 0 && c->prefactor <= 1)) ||
+	    (c->damping == TS_DAMPING_TSUJI && !(c->prefactor >= 0 && c->prefactor <= 1)))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "granular: the coefficient of restitution is %g, expected a number > 0 and <= "
-			       "1",
-			       c->prefactor);
+			       "granular: with `damping %s` the damping of `%s` is a coefficient of "
+			       "restitution, %g, expected a number %s 0 and <= 1",
+			       restitution ? "coeff_restitution" : "tsuji", normals[c->normal].name,
+			       c->prefactor, restitution ? ">" : ">=");
 	if (c->heat.n && !(c->heat.n == 1 && ts_streq(c->heat.word[0].text, "none")))
 		return ts_fail(&sim->error, TS_STATE, &c->heat.word[0].place,
 			       "granular: heat %s is not supported: use fix heat/gran for conduction through "

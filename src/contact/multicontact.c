@@ -135,19 +135,30 @@ static enum ts_status get_loads_of_copies(struct ts_multicontact *m, struct tsim
  * across a periodic face. */
 static const double SAME = 1e-6;
 
-static double surface_displacement(const struct ts_multicontact *m, const struct ts_particles *p, size_t i,
-				   const double e[3], const double point[3], const struct ts_wall *wall)
+/* Whether a load on particle i is that of the contact at `point` itself: contact number `contact` of a wall, or one that
+ * has moved to another triangle of its mesh; of a pair (no wall), the same point. */
+static bool is_itself(const struct ts_multicontact_load *one, const double point[3], double radius,
+		      const struct ts_wall *wall, size_t contact)
 {
-	double sum = 0, same = SAME * p->radius[i];
+	const double distance = sqrt(ts_distance2(one->load.point, point)), same = SAME * radius;
+
+	if (one->wall != wall)
+		return false;
+	return wall ? one->contact == contact || distance <= fmax(same, one->load.within) : distance <= same;
+}
+
+static double surface_displacement(const struct ts_multicontact *m, const struct ts_particles *p, size_t i,
+				   const double e[3], const double point[3], const struct ts_wall *wall,
+				   size_t contact)
+{
+	double sum = 0;
 
 	if (!ts_in_group(p, i, m->group))
 		return 0;
 	for (size_t k = m->first[i]; k < m->first[i + 1]; k++) {
 		const struct ts_multicontact_load *one = &m->load[k];
-		/* a contact that has moved along a mesh is still the same */
-		double itself = wall && one->wall == wall ? fmax(same, one->load.within) : same;
 
-		if (one->wall == wall && sqrt(ts_distance2(one->load.point, point)) <= itself)
+		if (is_itself(one, point, p->radius[i], wall, contact))
 			continue;
 		sum += ts_halfspace_bulge(&one->load, e, point, m->compliance[p->type[i]],
 					  m->poisson[p->type[i]]);
@@ -175,9 +186,9 @@ static void displace_pairs_share(void *context, size_t from, size_t to)
 		t->m->bulge[r] = (struct ts_contact_bulge){ 0, a * b / (a + b) };
 		if (gap > TS_BULGE_MOST * (a + b))
 			continue;
-		ours = surface_displacement(t->m, p, i, e, point, NULL);
+		ours = surface_displacement(t->m, p, i, e, point, NULL, 0);
 		contact_point(list, p, r, 1, e, point, &gap);
-		theirs = surface_displacement(t->m, p, owner, e, point, NULL);
+		theirs = surface_displacement(t->m, p, owner, e, point, NULL, 0);
 		a += ours;
 		b += theirs;
 		t->m->bulge[r] = (struct ts_contact_bulge){ ours + theirs, a * b / (a + b) };
@@ -220,14 +231,14 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 }
 
 double ts_multicontact_at_wall(const struct tsim *sim, size_t i, const double e[3], double distance,
-			       const struct ts_wall *wall)
+			       const struct ts_wall *wall, size_t contact)
 {
 	double point[3];
 
 	if (!sim->neigh->multicontact)
 		return 0;
 	ts_scale(-distance, e, point);
-	return surface_displacement(sim->neigh->multicontact, sim->particles, i, e, point, wall);
+	return surface_displacement(sim->neigh->multicontact, sim->particles, i, e, point, wall, contact);
 }
 
 double ts_multicontact_bytes(const struct tsim *sim)
@@ -243,7 +254,7 @@ double ts_multicontact_bytes(const struct tsim *sim)
 
 void ts_multicontact_release(struct ts_multicontact *m)
 {
-	if (m->neigh) {
+	if (m->neigh && m->neigh->multicontact == m) { /* not that of a fix which replaces this one */
 		m->neigh->multicontact = NULL;
 		m->neigh->contacts.bulge = NULL;
 	}

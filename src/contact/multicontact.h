@@ -14,6 +14,7 @@ struct ts_multicontact_load {
 	struct ts_halfspace_load load;
 	/* the wall in contact; NULL: a contact of two particles. Of a load from another rank: whether it is NULL counts */
 	const struct ts_wall *wall;
+	size_t contact; /* number of the contact of this wall */
 };
 
 struct ts_multicontact;
@@ -48,9 +49,9 @@ enum ts_status ts_multicontact_prepare(struct ts_multicontact *m, struct tsim *s
 /* Collects the loads and computes the displacements at all candidate pairs; before forces. */
 enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *sim,
 				      const struct ts_place *where);
-/* Displacement of the surface of particle i, length, at its contact with a wall in direction e. */
+/* Displacement of the surface of particle i, length, at a contact with a wall in direction e. */
 double ts_multicontact_at_wall(const struct tsim *sim, size_t i, const double e[3], double distance,
-			       const struct ts_wall *wall);
+			       const struct ts_wall *wall, size_t contact);
 /* Bytes of the loads of an average particle, of its contacts with other particles. */
 double ts_multicontact_bytes(const struct tsim *sim);
 void ts_multicontact_release(struct ts_multicontact *m);

@@ -35,14 +35,9 @@ enum ts_status ts_pair_prepare(struct tsim *sim, struct ts_instance *self)
 
 static enum ts_status limit_types(struct tsim *sim, struct ts_types *t, const struct ts_place *where)
 {
-	int most = sim->particles->ntypes;
-
+	TS_TRY(ts_particles_require_types(sim, "pair_coeff", t, where));
 	if (!t->hi)
-		t->hi = most;
-	if (t->lo > most || t->hi > most)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "pair_coeff: particle type %d does not exist, create_box made %d",
-			       t->hi > most ? t->hi : t->lo, most);
+		t->hi = sim->particles->ntypes;
 	return TS_OK;
 }
 

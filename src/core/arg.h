@@ -41,7 +41,8 @@ enum ts_arg_type {
 	TS_ARG_REST    /* all remaining words                                 -> struct ts_words */
 };
 
-/* A constant or the name of an equal- or atom-style variable; evaluate with ts_number_now. */
+/* A constant or the name of a variable; evaluate with ts_number_now, or with core/number_or_peratom.h where the row has
+ * TS_EACH. */
 struct ts_number {
 	double value;
 	const char *variable; /* NULL: constant */
@@ -70,7 +71,8 @@ enum ts_arg_flags {
 	TS_NAMED = 128,	   /* TS_ARG_REST: the keyword itself is stored as the first of the words; a name that
 			    * ends in NAME is a pattern: d_NAME matches d_heat */
 	TS_CUT = 256,	   /* TS_ARG_INT: 10.7 is 10, with a warning */
-	TS_SHARES = 512	   /* with TS_WRITES: several styles may write to the file */
+	TS_SHARES = 512,   /* with TS_WRITES: several styles may write to the file */
+	TS_EACH = 1024	   /* TS_ARG_NUMBER: also a variable with a number for each particle */
 };
 
 struct ts_mode;
@@ -254,6 +256,10 @@ bool ts_arg_whole_part(const struct ts_instance *self, struct tsim *sim, const c
 
 /* n, *, n*, *m or n*m */
 bool ts_parse_types(const char *text, struct ts_types *out);
+
+/* Fails if the number has a variable that cannot be one number; does not evaluate it. */
+enum ts_status ts_number_check(struct tsim *sim, const struct ts_number *number,
+			       const struct ts_place *where);
 
 /* The present value of the number: evaluates its variable if it has one. */
 enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number, const struct ts_place *where,

@@ -258,8 +258,8 @@ static enum ts_status check_required(struct ts_parse *p, const struct ts_arg *ro
 
 		if ((row->flags & (TS_POSITIONAL | TS_OPTIONAL)) || row->fallback || row->type == TS_ARG_FLAG)
 			continue;
-		for (size_t k = 0; k < p->words.n; k++)
-			found |= ts_streq(p->words.word[k].text, row->name);
+		for (size_t k = 0; p->is_keyword && k < p->words.n; k++)
+			found |= p->is_keyword[k] && ts_streq(p->words.word[k].text, row->name);
 		if (!found)
 			return ts_fail(&p->sim->error, TS_SYNTAX, p->where,
 				       "%s: keyword '%s' is missing (%s)", p->what, row->name, row->help);
@@ -333,6 +333,13 @@ enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts
 		if (row->type == TS_ARG_MODE && *(int *)((char *)base + row->offset) >= 0)
 			TS_TRY(check_required(&p, row->modes[*(int *)((char *)base + row->offset)].args));
 	return TS_OK;
+}
+
+enum ts_status ts_number_check(struct tsim *sim, const struct ts_number *number, const struct ts_place *where)
+{
+	if (!number->variable)
+		return TS_OK;
+	return sim->script_api->check_variable(sim->script_api_data, number->variable, TS_SCALAR, where);
 }
 
 enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number, const struct ts_place *where,

@@ -29,7 +29,7 @@ const struct ts_command_style ts_command_legacy = {
 	.style = { .name = "legacy",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "the results of LIGGGHTS or LAMMPS where their algorithms and tsim's differ",
-		   .doc = "There are nine differences, of which `legacy lammps` has two, restart of runs and "
+		   .doc = "There are ten differences, of which `legacy lammps` has two, restart of runs and "
 			  "walls with the law `granular`. With `legacy yes`:\n\n"
 			  "Contact history: a pair that separates keeps the history of its contact "
 			  "(tangential and rolling springs, the depth of hooke/hysteresis) until the next "
@@ -51,6 +51,7 @@ const struct ts_command_style ts_command_legacy = {
 			  "are not marked if the stream has an insertion event in that very step; only the "
 			  "first ones are.\n\n"
 			  "fix insert/stream releases rigid clumps without angular velocity.\n\n"
+			  "fix heat/gran with area_correction does not correct the contacts at walls.\n\n"
 			  "Walls with LAMMPS' law `granular` of a material have the effective moduli E* = "
 			  "E/(2 (1 - nu)) and, for k_t NULL, E (2 - nu)(1 + nu)/4, as in LAMMPS' source "
 			  "code; otherwise those of a contact of the material with itself.\n\n"

@@ -71,6 +71,19 @@ static enum ts_status fail_unknown_quantity(struct tsim *sim, const char *what, 
 		       shapes & TS_WANT(PERATOM) ? " or v_NAME" : "", ts_suggest_text(&suggest));
 }
 
+/* Rows of several columns need an index. */
+static enum ts_status require_column(struct tsim *sim, const char *what, const struct ts_ref_input *input)
+{
+	const struct ts_instance *inst = input->ref.inst;
+	const struct ts_value *value = inst && !input->ref.index ? ts_value_find(inst, input->shape) : NULL;
+	size_t columns = value ? ts_value_width(inst, value) : 0;
+
+	if (columns <= 1 || !((TS_WANT(PERATOM) | TS_WANT(LOCAL) | TS_WANT(SURFACE)) & 1u << input->shape))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &input->where, "%s: '%s' has %zu columns, choose one with [k]",
+		       what, input->name, columns);
+}
+
 static bool is_reference(const char *name)
 {
 	return name[0] && strchr("cfv", name[0]) && name[1] == '_';
@@ -92,7 +105,7 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
 	for (int k = 0; k < NSHAPES; k++) {
 		input->shape = preference[k].shape;
 		if (found & shapes & 1u << input->shape)
-			return TS_OK;
+			return input->quantity ? TS_OK : require_column(sim, what, input);
 	}
 	return fail_wrong_shape(sim, what, found, shapes, input);
 }
@@ -147,9 +160,7 @@ static enum ts_status count_wildcard(struct tsim *sim, const struct ts_ref_input
 
 		if (!value || !(shapes & 1u << parts[k].part) || parts[k].second != (input->ref.index != 0))
 			continue;
-		*n = value->columns || !input->ref.inst->style->width
-			     ? value->columns
-			     : input->ref.inst->style->width(input->ref.inst);
+		*n = ts_value_width(input->ref.inst, value);
 		if (*n)
 			return TS_OK;
 		TS_TRY(ts_value_cached(input->ref.inst, sim, value));
@@ -258,12 +269,43 @@ enum ts_status ts_ref_list_init(struct tsim *sim, const char *what, struct ts_ar
 	return TS_OK;
 }
 
+static const struct ts_place *place_of_variable(const struct ts_instance *inst, const char *name)
+{
+	for (size_t k = 0; k < inst->words.n; k++)
+		if (strncmp(inst->words.word[k].text, "v_", 2) == 0 &&
+		    ts_streq(inst->words.word[k].text + 2, name))
+			return &inst->words.word[k].place;
+	return &inst->where;
+}
+
+/* Checks that variables of arguments which are numbers can be such numbers. */
+static enum ts_status check_numbers(struct tsim *sim, const struct ts_instance *inst,
+				    const struct ts_arg *rows)
+{
+	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
+		const void *field = (const char *)inst->state + row->offset;
+		const struct ts_number *number = row->type == TS_ARG_NUMBER ? field : NULL;
+		const int mode = row->type == TS_ARG_MODE ? *(const int *)field : -1;
+
+		if (mode >= 0)
+			TS_TRY(check_numbers(sim, inst, row->modes[mode].args));
+		if (!number || !number->variable ||
+		    !sim->script_api->has_variable(sim->script_api_data, number->variable) ||
+		    (row->flags & TS_EACH &&
+		     sim->script_api->is_peratom(sim->script_api_data, number->variable)))
+			continue;
+		TS_TRY(ts_number_check(sim, number, place_of_variable(inst, number->variable)));
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_refs_check(struct tsim *sim, const struct ts_instance *inst)
 {
 	enum ts_kind kind = inst->style->kind;
 
 	if (kind != TS_KIND_FIX && kind != TS_KIND_COMPUTE && kind != TS_KIND_DUMP)
 		return TS_OK;
+	TS_TRY(check_numbers(sim, inst, inst->style->args));
 	for (size_t k = 0; k < inst->words.n; k++) {
 		const struct ts_word *word = &inst->words.word[k];
 		const char *name = word->text + 2;

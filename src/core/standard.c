@@ -35,7 +35,7 @@ enum ts_status ts_standard_value(struct tsim *sim, enum ts_standard which, int k
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, &inst->where,
 			       "compute %s replaces the %s, but has no components", id.text, units[which]);
-	TS_TRY(ts_value_eval(inst, sim, value, &inst->table));
+	TS_TRY(ts_value_cached(inst, sim, value));
 	*out = inst->table.data[k < 0 ? 0 : k];
 	return TS_OK;
 }

@@ -204,11 +204,13 @@ struct ts_style {
 	 * limit of the step of all fixes, contacts and bonds together. NULL: there are none. */
 	void (*ground)(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		       struct ts_ground_springs *sum);
+	/* Fixes: whether something moves by the time since its definition, and would jump if the time were set. NULL: no. */
+	bool (*moves_by_time)(const struct ts_instance *self);
 	/* Fixes: takes `n` numbers of the outside program (tsim_external); `what` is a word of the fix. */
 	enum ts_status (*take)(struct ts_instance *self, struct tsim *sim, const char *what, double *value,
 			       size_t n);
-	/* The number of columns of its local or per-particle output, or of elements of its vector, by its arguments, if ts_value
-	 * does not have it. NULL: evaluation tells. */
+	/* The number of columns of its outputs, or of elements of its vector, by its arguments, if ts_value does not have it; 0 or
+	 * NULL: evaluation tells. */
 	size_t (*width)(const struct ts_instance *self);
 	/* Checks of the scene that only this style can make; reported by ts_review_report, see
 	 * core/review.h. */

@@ -33,12 +33,19 @@ const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_sha
 	return shape == TS_LOCAL ? ts_value_find(inst, TS_SURFACE) : NULL;
 }
 
+size_t ts_value_width(const struct ts_instance *inst, const struct ts_value *value)
+{
+	return value->columns || !inst->style->width ? value->columns : inst->style->width(inst);
+}
+
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out)
 {
 	size_t columns = value->shape == TS_SCALAR ? 1 : value->columns;
 	enum ts_status status;
 
+	if (out == &inst->table)
+		inst->cached = NULL;
 	if (value->shape == TS_SCALAR || (value->shape == TS_VECTOR && columns))
 		if (ts_table_resize(out, 1, columns) != TS_OK)
 			return ts_nomem(&sim->error);

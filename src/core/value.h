@@ -49,6 +49,8 @@ struct ts_value {
 bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value);
 /* The first output of that shape; for TS_LOCAL otherwise one of TS_SURFACE. NULL: none. */
 const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape);
+/* The number of columns of this output, or of elements of a vector; 0: known only after evaluation. */
+size_t ts_value_width(const struct ts_instance *inst, const struct ts_value *value);
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out);
 

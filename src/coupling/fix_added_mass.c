@@ -171,7 +171,8 @@ static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim
 	double member = INFINITY; /* the least of all ranks */
 
 	for (size_t k = 0; (other = ts_flow_part_named(sim, "added_mass", &k));)
-		if (other != self && ts_ranks_most(sim, ts_groups_meet(p, other->group, self->group)) > 0)
+		if (!ts_streq(other->id, self->id) &&
+		    ts_ranks_most(sim, ts_groups_meet(p, other->group, self->group)) > 0)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix added_mass: fix %s (%s:%d) gives particles of this group an "
 				       "added mass already: a particle can have one",

@@ -24,6 +24,7 @@ static enum ts_status set_every(struct tsim *sim, struct ts_instance *dump, cons
 	if (every->null)
 		return TS_OK;
 	d->variable = NULL;
+	TS_TRY(ts_number_check(sim, every, where));
 	if (every->variable)
 		return copy_name(sim, dump, every->variable, &d->variable);
 	if (every->value != floor(every->value) || every->value > 9e15)

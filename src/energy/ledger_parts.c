@@ -295,7 +295,8 @@ static double broken_energy(const struct tsim *sim, const struct ts_ledger_note 
 	for (int mode = 1; mode < TS_BOND_MODES; mode++)
 		before += was->energy[mode];
 
-	for (size_t e = bonds->nevents; e-- > 0 && bonds->event[e].step == sim->clock.step;) {
+	for (size_t e = bonds->nevents;
+	     e-- > bonds->past_events && bonds->event[e].step == sim->clock.step;) {
 		const struct ts_bond_event *event = &bonds->event[e];
 
 		if (event->tag[0] == was->tag[0] && event->tag[1] == was->tag[1])

@@ -232,7 +232,7 @@ static enum ts_status pack_missing(const struct tsim *sim, struct ts_ledger *l, 
 	const struct ts_bonds *bonds = sim->bonds;
 
 	TS_TRY(pack_differences(sim, l, any));
-	for (size_t e = bonds->nevents; e-- > 0 && bonds->event[e].step == sim->clock.step;)
+	for (size_t e = bonds->nevents; e-- > bonds->past_events && bonds->event[e].step == sim->clock.step;)
 		TS_TRY(add_row(l, bonds->event[e].tag, BROKEN, e, bonds->event_energy[e]));
 	return TS_OK;
 }

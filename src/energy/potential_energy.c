@@ -8,7 +8,7 @@
 
 enum ts_status ts_energy_output(struct ts_instance *self, struct tsim *sim, double *out)
 {
-	TS_TRY(ts_value_eval(self, sim, ts_value_find(self, TS_SCALAR), &self->table));
+	TS_TRY(ts_value_cached(self, sim, ts_value_find(self, TS_SCALAR)));
 	*out = self->table.data[0];
 	return TS_OK;
 }

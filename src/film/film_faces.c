@@ -258,11 +258,16 @@ static void carry_cell(struct ts_film *f, int axis, int i, int j, const double *
 			velocity * above;
 }
 
-void ts_film_carry(struct ts_film *f, const double *z, const double velocity[2], double *rate)
+void ts_film_carry(struct ts_film *f, const double *z, const double velocity[2], const double *part,
+		   double *rate)
 {
 	for (int axis = 0; axis < 2; axis++)
 		for (int j = 0; j < f->n[1] && fabs(velocity[axis]) > 0; j++)
-			for (int i = 0; i < f->n[0]; i++)
-				if (f->kind[ts_film_at(f, i, j)] != TS_FILM_SOLID)
-					carry_cell(f, axis, i, j, z, velocity[axis], rate);
+			for (int i = 0; i < f->n[0]; i++) {
+				size_t c = ts_film_at(f, i, j);
+
+				if (f->kind[c] != TS_FILM_SOLID)
+					carry_cell(f, axis, i, j, z, velocity[axis] * (part ? part[c] : 1),
+						   rate);
+			}
 }

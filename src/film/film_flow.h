@@ -31,6 +31,7 @@ struct ts_film_flow {
 	struct ts_film_surface surface[2]; /* lower, upper */
 	double *bottom;	    /* height of the lower surface below the gap, at most the upper one; owned */
 	double *yield;	    /* change of the gap with the distance of the surfaces; owned */
+	double *carried;    /* scratch; owned */
 	double least;	    /* argument: least gap; 0: none */
 	bool solid;	    /* there is no fluid where the gap is not positive */
 	bool transient;	    /* argument: the fluid in the gap is followed in time */

@@ -32,10 +32,37 @@ static void set_gaps(struct ts_film_flow *flow)
 	}
 }
 
+/* The rate of the gap g of shapes that move along the film with the velocities V1, below, and V2. With the distance d of
+ * the surfaces, the yield g' = dg/dd, V = (V1 + V2)/2 and W = (V2 - V1)/2
+ *
+ *   dg/dt = g' (V1.grad z1 - V2.grad z2) = -V.grad g - g' W.grad(z1 + z2),
+ *
+ * so that an observer who moves along sees the same pressure to round-off. */
+static void carry_shapes(struct ts_film_flow *flow)
+{
+	const struct ts_film_surface *lower = &flow->surface[0], *upper = &flow->surface[1];
+	const double *low = flow->least > 0 ? lower->z : flow->bottom;
+	struct ts_film *f = &flow->film;
+	double together[2], apart[2];
+
+	for (int axis = 0; axis < 2; axis++) {
+		double below = lower->stays ? 0 : lower->now[axis];
+		double above = upper->stays || upper->plane_fix ? 0 : upper->now[axis];
+
+		together[axis] = (below + above) / 2;
+		apart[axis] = (above - below) / 2;
+	}
+	for (size_t c = 0; c < ts_film_cells(f); c++)
+		flow->carried[c] = fmax(f->gap[c], 0);
+	ts_film_carry(f, flow->carried, together, NULL, f->rate);
+	for (size_t c = 0; c < ts_film_cells(f); c++)
+		flow->carried[c] = low[c] + upper->z[c];
+	ts_film_carry(f, flow->carried, apart, flow->yield, f->rate);
+}
+
 void ts_film_combine(struct ts_film_flow *flow)
 {
 	const struct ts_film_surface *lower = &flow->surface[0], *upper = &flow->surface[1];
-	const double back[2] = { -lower->now[0], -lower->now[1] };
 	struct ts_film *f = &flow->film;
 
 	set_gaps(flow);
@@ -44,17 +71,12 @@ void ts_film_combine(struct ts_film_flow *flow)
 			for (int i = 0; i < f->n[0] + (axis == 0); i++)
 				f->ride[axis][ts_film_face(f, axis, i, j)] = 0;
 	for (size_t c = 0; c < ts_film_cells(f); c++) {
-		f->rate[c] = upper->rate[c] - lower->rate[c];
+		/* columns that are pressed down change the gap less than they move */
+		f->rate[c] = flow->yield[c] * (upper->rate[c] - lower->rate[c]);
 		for (int axis = 0; axis < 2; axis++) {
 			f->velocity[0][axis][c] = lower->now[axis];
 			f->velocity[1][axis][c] = upper->now[axis];
 		}
 	}
-	if (!lower->stays)
-		ts_film_carry(f, flow->bottom, back, f->rate);
-	if (!upper->stays && !upper->plane_fix)
-		ts_film_carry(f, upper->z, upper->now, f->rate);
-	/* columns that are pressed down change the gap less than they move */
-	for (size_t c = 0; flow->least > 0 && c < ts_film_cells(f); c++)
-		f->rate[c] *= flow->yield[c];
+	carry_shapes(flow);
 }

@@ -101,6 +101,7 @@ static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
 	}
 	TS_TRY(make_field(self, sim, &s->flow.bottom));
 	TS_TRY(make_field(self, sim, &s->flow.yield));
+	TS_TRY(make_field(self, sim, &s->flow.carried));
 	if (ts_film_make(f) == TS_OK)
 		return TS_OK;
 	ts_film_release(f);

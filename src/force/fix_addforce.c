@@ -110,17 +110,17 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_NUMBER("fx", struct addforce, f[0], .flags = TS_POSITIONAL, .unit = "force",
+	TS_NUMBER("fx", struct addforce, f[0], .flags = TS_POSITIONAL | TS_EACH, .unit = "force",
 		  .help = "x component of the force on each particle; a number, or v_NAME for an equal-style "
 			  "or atom-style variable"),
-	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL, .unit = "force",
+	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL | TS_EACH, .unit = "force",
 		  .help = "y component"),
-	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL, .unit = "force",
+	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL | TS_EACH, .unit = "force",
 		  .help = "z component"),
 	TS_INT("every", struct addforce, every, .range = TS_WITHIN, .lo = 1, .hi = 1e15, .fallback = "1",
 	       .help = "the force is added only in time steps that are multiples of this"),
 	TS_REGION_KEYWORD(struct addforce),
-	TS_NUMBER("energy", struct addforce, energy, .flags = TS_OPTIONAL, .unit = "energy",
+	TS_NUMBER("energy", struct addforce, energy, .flags = TS_OPTIONAL | TS_EACH, .unit = "energy",
 		  .help = "v_NAME: potential energy of each particle, for forces that are variables"),
 	TS_ARGS_END,
 };

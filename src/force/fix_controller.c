@@ -36,9 +36,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix controller: found '%s', expected c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME",
 			       s->process);
-	if (s->started) /* also when continued from a restart file */
-		return set_control_variable(self, sim);
-	return sim->script_api->scalar(sim->script_api_data, s->control, &self->where, &s->value);
+	if (!s->started) /* else perhaps continued from a restart file */
+		TS_TRY(sim->script_api->scalar(sim->script_api_data, s->control, &self->where, &s->value));
+	return set_control_variable(self, sim);
 }
 
 static enum ts_status update_control(struct ts_instance *self, struct tsim *sim)

@@ -321,9 +321,11 @@ static void fini(struct ts_instance *self)
 	}
 }
 
-#define COMPONENT(name_, field, unit_, help_)                                                     \
-	TS_NUMBER(name_, struct state, field, .flags = TS_POSITIONAL | TS_NULLABLE | TS_STATEFUL, \
+#define NUMBER(name_, field, unit_, more_, help_)                                                           \
+	TS_NUMBER(name_, struct state, field, .flags = TS_POSITIONAL | TS_NULLABLE | TS_STATEFUL | (more_), \
 		  .unit = unit_, .help = help_)
+#define COMPONENT(name_, field, unit_, help_) NUMBER(name_, field, unit_, 0, help_)
+#define CHOSEN(name_, field, unit_, help_) NUMBER(name_, field, unit_, TS_EACH, help_)
 #define FREE "; NULL: this component is integrated with the forces"
 static const struct ts_arg linear_args[] = {
 	COMPONENT("Vx", velocity[0], "velocity", "x velocity" FREE),
@@ -355,14 +357,14 @@ static const struct ts_arg transrot_args[] = {
 	TS_ARGS_END,
 };
 static const struct ts_arg variable_args[] = {
-	COMPONENT("dx", shift[0], "length", "x displacement from the initial position: v_NAME or NULL"),
-	COMPONENT("dy", shift[1], "length", "y displacement"),
-	COMPONENT("dz", shift[2], "length", "z displacement"),
-	COMPONENT("vx", rate[0], "velocity",
-		  "x velocity: v_NAME or NULL; if dx and vx are NULL the component is integrated with the "
-		  "forces"),
-	COMPONENT("vy", rate[1], "velocity", "y velocity"),
-	COMPONENT("vz", rate[2], "velocity", "z velocity"),
+	CHOSEN("dx", shift[0], "length", "x displacement from the initial position: v_NAME or NULL"),
+	CHOSEN("dy", shift[1], "length", "y displacement"),
+	CHOSEN("dz", shift[2], "length", "z displacement"),
+	CHOSEN("vx", rate[0], "velocity",
+	       "x velocity: v_NAME or NULL; if dx and vx are NULL the component is integrated with the "
+	       "forces"),
+	CHOSEN("vy", rate[1], "velocity", "y velocity"),
+	CHOSEN("vz", rate[2], "velocity", "z velocity"),
 	TS_ARGS_END,
 };
 
@@ -374,6 +376,12 @@ static const struct ts_mode modes[] = {
 	[VARIABLE] = { "variable", "displacement or velocity by variables", variable_args },
 	{ .name = NULL },
 };
+
+static bool moves_by_time(const struct ts_instance *self)
+{
+	(void)self;
+	return true;
+}
 
 static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "kind of motion"),
@@ -432,6 +440,7 @@ const struct ts_style ts_fix_move = {
 		[TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 	},
 	.defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),
+	.moves_by_time = moves_by_time,
 	.restraint = &restraint,
 	.fini = fini,
 };

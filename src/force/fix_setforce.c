@@ -80,13 +80,14 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_NUMBER("fx", struct setforce, f[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
+	TS_NUMBER("fx", struct setforce, f[0], .flags = TS_POSITIONAL | TS_EACH | TS_NULLABLE,
+		  .unit = "force",
 		  .help = "x component of the force; NULL: unchanged; v_NAME: an equal-style or atom-style "
 			  "variable"),
-	TS_NUMBER("fy", struct setforce, f[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "y component"),
-	TS_NUMBER("fz", struct setforce, f[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "z component"),
+	TS_NUMBER("fy", struct setforce, f[1], .flags = TS_POSITIONAL | TS_EACH | TS_NULLABLE,
+		  .unit = "force", .help = "y component"),
+	TS_NUMBER("fz", struct setforce, f[2], .flags = TS_POSITIONAL | TS_EACH | TS_NULLABLE,
+		  .unit = "force", .help = "z component"),
 	TS_REGION_KEYWORD(struct setforce),
 	TS_ARGS_END,
 };

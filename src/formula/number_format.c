@@ -52,21 +52,21 @@ static void append_real(struct ts_str *out, const char *format, double value)
 
 void ts_number_format_add(struct ts_str *out, const char *format, double value)
 {
-	const char *c = format, *letter = NULL, *end;
+	const char *c = format, *letter = NULL, *percent = format, *end;
 	struct ts_str whole = { 0 };
 
 	for (c = strchr(c, '%'); c && !letter; c = strchr(c, '%')) {
 		if (c[1] == '%')
 			c += 2;
 		else
-			letter = find_conversion(c + 1, &c);
+			letter = find_conversion((percent = c) + 1, &c);
 	}
 	if (!letter || *letter != 'd') {
 		append_real(out, format, value);
 		return;
 	}
-	/* %.0f prints an integer like %d, and has no overflow for large values */
-	end = memchr(format, '.', (size_t)(letter - format));
+	/* %.0f prints an integer like %d, and has no overflow for large values; width and flags stay */
+	end = memchr(percent, '.', (size_t)(letter - percent));
 	ts_str_add_n(&whole, format, (size_t)((end ? end : letter) - format));
 	ts_str_addf(&whole, ".0f%s", letter + 1);
 	if (whole.failed)

@@ -241,6 +241,7 @@ enum ts_status ts_variable_number(struct ts_formulas *formulas, struct ts_variab
 		*out = NAN;
 		return TS_OK;
 	}
+	formulas->misfit |= (style->peratom || style->vector) && !style->number;
 	if (style->peratom && !style->number)
 		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "variable '%s' has a value for each particle; one number is needed here",

@@ -15,9 +15,14 @@ static void nearest_on_side(const struct ts_frustum *f, double r, double s,
 	if (dr == 0) /* a cylinder, which may be infinite */
 		return;
 	t = ((r - f->radius[0]) * dr + (s - f->lo) * ds) / (dr * dr + ds * ds);
-	t = fmin(fmax(t, 0), 1);
-	out->r = f->radius[0] + t * dr;
-	out->s = f->lo + t * ds;
+	/* at the rims exactly: points nearest to them are as far from the end faces */
+	if (t >= 1)
+		*out = (struct ts_frustum_contact_point){ TS_FRUSTUM_SIDE, f->radius[1], f->hi };
+	else if (t > 0)
+		*out = (struct ts_frustum_contact_point){ TS_FRUSTUM_SIDE, f->radius[0] + t * dr,
+							  f->lo + t * ds };
+	else
+		out->s = f->lo;
 }
 
 int ts_frustum_faces(const struct ts_frustum *f, unsigned open, double r, double s,

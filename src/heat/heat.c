@@ -143,19 +143,27 @@ static double force_exponent(const struct tsim *sim)
 	return pair && ts_granular_stiffens(&pair->model) ? 1.5 : 1;
 }
 
+enum ts_status ts_heat_softening(struct tsim *sim, const struct ts_heat *heat, int a, int b,
+				 const struct ts_place *where, double *out)
+{
+	double now, original;
+
+	*out = 1;
+	if (!heat->correction)
+		return TS_OK;
+	TS_TRY(effective_modulus(sim, "youngsModulus", a, b, where, &now));
+	TS_TRY(effective_modulus(sim, "youngsModulusOriginal", a, b, where, &original));
+	*out = pow(now / original, 1 / force_exponent(sim));
+	return TS_OK;
+}
+
 static enum ts_status set_pair_constants(struct ts_instance *self, struct tsim *sim, int a, int b)
 {
 	struct ts_heat *h = self->state;
 	size_t k = (size_t)a * (size_t)(h->ntypes + 1) + (size_t)b;
-	double now, original;
 
 	h->pair[k] = ts_heat_pair_conductivity(h->conductivity[a], h->conductivity[b]);
-	if (!h->correction)
-		return TS_OK;
-	TS_TRY(effective_modulus(sim, "youngsModulus", a, b, &self->where, &now));
-	TS_TRY(effective_modulus(sim, "youngsModulusOriginal", a, b, &self->where, &original));
-	h->softening[k] = pow(now / original, 1 / force_exponent(sim));
-	return TS_OK;
+	return h->correction ? ts_heat_softening(sim, h, a, b, &self->where, &h->softening[k]) : TS_OK;
 }
 
 static enum ts_status allocate_constants(struct ts_instance *self, struct tsim *sim)

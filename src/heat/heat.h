@@ -83,6 +83,9 @@ enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_wo
 struct ts_heat *ts_heat_of(const struct tsim *sim);
 enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who, const struct ts_place *where,
 				    double *out);
+/* The factor by which area_correction changes the overlap of two types; 1 without it. */
+enum ts_status ts_heat_softening(struct tsim *sim, const struct ts_heat *heat, int a, int b,
+				 const struct ts_place *where, double *out);
 /* Adds the heat flow from a wall of this temperature to particle i and returns it, energy/time; `conductance`:
  * h of the contact. To be called in stage POST_FORCE; in the set-up of a run nothing is added. */
 double ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,

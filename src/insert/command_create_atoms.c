@@ -376,9 +376,9 @@ static enum ts_status check_arguments(struct tsim *sim, const struct state *s, c
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "create_atoms: molecules are not supported; make particles and bond them with "
 			       "create_bonds");
-	if (!lattice && (s->basis.n || s->ratio.n || s->subset.n))
+	if (!lattice && (s->basis.n || s->ratio.n || s->subset.n || s->variable || s->set.n))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "create_atoms: basis, ratio and subset are for box and region");
+			       "create_atoms: basis, ratio, subset, var and set are for box and region");
 	return TS_OK;
 }
 

@@ -37,6 +37,7 @@ struct state {
 	/* saved */
 	int64_t release;  /* largest age of the stream at which a particle is released */
 	int32_t measured; /* the space behind the face has been checked */
+	double dt;	  /* time step of the ages at which particles began their way and pass the face */
 };
 
 /* As in LIGGGHTS, seed of the random stream of points on a mesh, which fixes with the same face share. */
@@ -81,9 +82,31 @@ static enum ts_status find_face(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* With another time step than before: particles on their way to the face began it other numbers of steps ago, and pass the
+ * face in other numbers of steps. */
+static void count_in_new_steps(struct state *s, const struct tsim *sim, double before)
+{
+	const double age = (double)s->stream.age, dt = sim->clock.dt;
+	double last = 0;
+
+	for (size_t i = 0; i < sim->particles->n; i++) {
+		double *memory = ts_stream_record(&s->stream, sim, i);
+		double elapsed = (age - memory[TS_STREAM_START]) * before;
+		double left = memory[TS_STREAM_DISTANCE] / s->speed - elapsed;
+
+		if (!(memory[TS_STREAM_RELEASE] > 0))
+			continue;
+		memory[TS_STREAM_START] = age - elapsed / dt;
+		memory[TS_STREAM_RELEASE] = age + floor(fmax(left, 0) / dt * (1 + ROUNDING));
+		last = fmax(last, memory[TS_STREAM_RELEASE]);
+	}
+	s->release = (int64_t)ts_ranks_most(sim, last);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	double before = s->dt;
 	char name[80];
 	bool first;
 
@@ -104,7 +127,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->face->random.state)
 		s->face->random = ts_minstd_start(MESH_SEED);
 	snprintf(name, sizeof name, "stream %s", self->id);
-	return ts_particles_add_column(sim, name, TS_STREAM_WIDTH, 0, &s->stream.column);
+	TS_TRY(ts_particles_add_column(sim, name, TS_STREAM_WIDTH, 0, &s->stream.column));
+	s->dt = sim->clock.dt;
+	if (before > 0 && (before < s->dt || before > s->dt))
+		count_in_new_steps(s, sim, before);
+	return TS_OK;
 }
 
 /* interval * speed = length; computed for each run, since the time step may change. */
@@ -561,6 +588,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct state *s = self->state;
 
 	TS_TRY(ts_insertion_archive(self, sim, a));
+	if (ts_archive_writing(a) || ts_archive_has(a, "dt")) /* older files do not have it */
+		TS_TRY(ts_archive_fixed(a, "dt", TS_SAVED_F64, &s->dt, 1));
 	TS_TRY(ts_template_archive_stream(a, sim, "face", &s->face->random));
 	return ts_particles_archive_column(a, sim, sim->particles->column[s->stream.column].name,
 					   s->stream.column);

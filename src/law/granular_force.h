@@ -208,7 +208,7 @@ TS_INLINE void ts_granular_bridge_contact(const struct ts_granular_model *m, con
 }
 
 /* Force of a contact. `dt`: the time step; `advance`: false in the set-up of a run, when the history
- * does not change. */
+ * does not change, but for the largest overlap, which depends on positions only. */
 TS_INLINE void ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				   const struct ts_touch *t, double dt, bool advance, double *memory,
 				   struct ts_granular_force *out)
@@ -222,7 +222,7 @@ TS_INLINE void ts_granular_contact(const struct ts_granular_model *m, const stru
 		ts_granular_bridge_contact(m, c, t, memory, out);
 		return;
 	}
-	ts_normal_force(m, c, t, advance, memory + ts_granular_depth_at(m), &n);
+	ts_normal_force(m, c, t, true, memory + ts_granular_depth_at(m), &n);
 	if (m->located) {
 		ts_granular_locate(m, t, dt, advance, memory, &n, &now);
 		t = &now;

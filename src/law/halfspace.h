@@ -40,7 +40,7 @@ static inline double ts_halfspace_compliance(double young, double poisson, doubl
 static inline double ts_halfspace_bulge(const struct ts_halfspace_load *load, const double e[3],
 					const double point[3], double compliance, double poisson)
 {
-	double u[3], sum[3], d, along, displacement;
+	double u[3], sum[3], d, along, above, displacement;
 
 	ts_sub(point, load->point, u);
 	d = ts_norm(u);
@@ -49,8 +49,11 @@ static inline double ts_halfspace_bulge(const struct ts_halfspace_load *load, co
 	ts_scale(1 / d, u, u);
 	ts_add(load->e, u, sum);
 	along = ts_dot(load->e, u);
+	/* Points above the surface of the half-space, which the depth of a contact may cause, are taken to be on
+	 * it: the formula diverges where u = -e. */
+	above = fmin(along, 0);
 	displacement = along * ts_dot(e, u) + (3 - 4 * poisson) * ts_dot(load->e, e) -
-		       (1 - 2 * poisson) * ts_dot(sum, e) / (1 + along);
+		       (1 - 2 * poisson) * ts_dot(sum, e) / (1 + along - above);
 	return -compliance * load->force / fmax(d, load->within) * displacement;
 }
 

@@ -17,10 +17,11 @@ struct ts_plastic_section {
 	double force, moment, torque;
 };
 
-/* The three places where an element turns: the hinges at its ends, and the twist of end b. */
+/* The three places where an element turns: the hinges at its ends, and the twist, a half of it at each end. */
 enum { TS_PLASTIC_TWIST = 2, TS_PLASTIC_PLACES };
 
-/* What has flowed: the rotations of the frames in space, and the work that was lost. */
+/* What has flowed: the rotations of the frames in space, that of the twist from end a to end b, and the work that was
+ * lost. */
 struct ts_plastic_flow {
 	struct ts_xyz turn[TS_PLASTIC_PLACES];
 	double work;
@@ -63,24 +64,39 @@ static inline double ts_plastic_stiffness(const struct ts_bond_element *e, int p
 		       : e->k[TS_BOND_BENDING] + e->k[TS_BOND_SHEAR] * part * part * e->length * e->length;
 }
 
-/* Turns the frame at one place so that its moment is at the limit, or below it without flow; the flow of this step
- * that is there already is taken back first. Returns the turn, by that of the elastic limit. */
-static inline double ts_plastic_turn(const struct ts_bond_element *e, const struct ts_plastic_section *y,
-				     int place, struct ts_bond_ends *s, struct ts_plastic_flow *flow)
+/* What place `p` has to turn so that its moment is at the limit, or below it without flow; the flow of this step that is
+ * there already is taken back first. */
+static inline struct ts_xyz ts_plastic_turn(const struct ts_bond_element *e,
+					    const struct ts_plastic_section *y, int p, struct ts_xyz moment,
+					    struct ts_xyz flow)
 {
-	const double limit = ts_plastic_limit(y, place), k = ts_plastic_stiffness(e, place);
-	const int end = place ? 1 : 0;
-	struct ts_xyz moment[TS_PLASTIC_PLACES], whole, turn;
-	double size;
+	const double limit = ts_plastic_limit(y, p), k = ts_plastic_stiffness(e, p);
+	const struct ts_xyz whole = ts_xyz_add(moment, k, flow);
+	const double size = sqrt(ts_xyz_dot(whole, whole));
+
+	return ts_xyz_add(ts_xyz_scale(size > limit ? (size - limit) / (k * size) : 0, whole), -1, flow);
+}
+
+/* Turns the frames at all places at once, so that neither end comes first; returns the largest turn, by that of the
+ * elastic limit. */
+static inline double ts_plastic_turn_all(const struct ts_bond_element *e, const struct ts_plastic_section *y,
+					 struct ts_bond_ends *s, struct ts_plastic_flow *flow)
+{
+	struct ts_xyz moment[TS_PLASTIC_PLACES], turn[TS_PLASTIC_PLACES];
+	double most = 0;
 
 	ts_plastic_moments(e, s, moment);
-	whole = ts_xyz_add(moment[place], k, flow->turn[place]);
-	size = sqrt(ts_xyz_dot(whole, whole));
-	turn = ts_xyz_add(ts_xyz_scale(size > limit ? (size - limit) / (k * size) : 0, whole), -1,
-			  flow->turn[place]);
-	s->q[end] = ts_wxyz_product(ts_wxyz_of_vector(turn), s->q[end]);
-	flow->turn[place] = ts_xyz_add(flow->turn[place], 1, turn);
-	return sqrt(ts_xyz_dot(turn, turn)) * k / limit;
+	for (int p = 0; p < TS_PLASTIC_PLACES; p++) {
+		turn[p] = ts_plastic_turn(e, y, p, moment[p], flow->turn[p]);
+		flow->turn[p] = ts_xyz_add(flow->turn[p], 1, turn[p]);
+		most = fmax(most, sqrt(ts_xyz_dot(turn[p], turn[p])) * ts_plastic_stiffness(e, p) /
+					  ts_plastic_limit(y, p));
+	}
+	for (int end = 0; end < 2; end++)
+		s->q[end] = ts_wxyz_product(ts_wxyz_of_vector(ts_xyz_add(turn[end], end ? 0.5 : -0.5,
+									 turn[TS_PLASTIC_TWIST])),
+					    s->q[end]);
+	return most;
 }
 
 /* The length at which the normal force of an element of the distance r between its ends is at the limit, if it is
@@ -117,22 +133,16 @@ static inline bool ts_plastic_exceeds(const struct ts_bond_element *e, const str
 
 /* Turns the frames of *s until no moment is beyond its limit, so that the moments are the nearest admissible ones in
  * the norm of the elastic energy (closest-point return mapping: J. C. Simo, T. J. R. Hughes, Computational
- * Inelasticity, Springer 1998). Place by place in turn: the moments of the two ends depend on each other by at most
- * a half, so errors fall fourfold each time. Returns false if nothing has flowed. */
+ * Inelasticity, Springer 1998). The moments of the two ends depend on each other by at most a half, so errors fall by a
+ * half each time. Returns false if nothing has flowed. */
 static inline bool ts_plastic_relax(const struct ts_bond_element *e, const struct ts_plastic_section *y,
 				    struct ts_bond_ends *s, struct ts_plastic_flow *flow)
 {
 	*flow = (struct ts_plastic_flow){ 0 };
 	if (!ts_plastic_exceeds(e, y, s))
 		return false;
-	for (int n = 0; n < 100; n++) {
-		double most = 0;
-
-		for (int p = 0; p < TS_PLASTIC_PLACES; p++)
-			most = fmax(most, ts_plastic_turn(e, y, p, s, flow));
-		if (most < 1e-13)
-			break;
-	}
+	for (int n = 0; n < 100 && ts_plastic_turn_all(e, y, s, flow) >= 1e-13; n++)
+		;
 	for (int p = 0; p < TS_PLASTIC_PLACES; p++)
 		flow->work += ts_plastic_limit(y, p) * sqrt(ts_xyz_dot(flow->turn[p], flow->turn[p]));
 	return true;

@@ -2,6 +2,7 @@
 #include "base/sort.h"
 #include "box/domain.h"
 #include "core/ranks.h"
+#include "core/unclaimed_state.h"
 #include "geom/box_images.h"
 #include "io/csv.h"
 #include "mesh/mesh_surface.h"
@@ -19,6 +20,7 @@
 #include <stdlib.h>
 
 #include "core/sim.h"
+#include "core/unclaimed_state.h"
 
 #include "base/banned.h"
 
@@ -125,7 +127,8 @@ static enum ts_status check_side(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status add_mark_column(struct ts_instance *self, struct tsim *sim)
+/* `fresh`: the fix has just been defined, perhaps anew; no particle is marked, unless a restart file says so. */
+static enum ts_status add_mark_column(struct ts_instance *self, struct tsim *sim, bool fresh)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -136,7 +139,7 @@ static enum ts_status add_mark_column(struct ts_instance *self, struct tsim *sim
 	snprintf(name, sizeof name, "massflow_%.100s", self->id);
 	TS_TRY(ts_particles_add_column(sim, name, 1, TS_COL_NAMED, &s->column));
 	TS_TRY(ts_particles_column_initial(sim, s->column, &first));
-	if (s->column == known)
+	if (s->column == known || (fresh && !ts_unclaimed_exists(sim, self)))
 		ts_particles_fill_initial(&p->column[s->column], 0, p->n);
 	return TS_OK;
 }
@@ -161,7 +164,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	struct ts_word mesh = { .text = s->mesh, .place = *ts_instance_word(self, s->mesh) };
 
-	if (!s->surface)
+	const bool fresh = !s->surface;
+
+	if (fresh)
 		s->before.time = ts_sim_time(sim);
 	TS_TRY(check_words(self, sim));
 	sim->neigh->skin_observed |=
@@ -170,7 +175,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	ts_mesh_tree_release(&s->tree);
 	if (has_side(s))
 		TS_TRY(check_side(self, sim));
-	TS_TRY(add_mark_column(self, sim));
+	TS_TRY(add_mark_column(self, sim, fresh));
 	return find_property(self, sim);
 }
 

@@ -205,9 +205,10 @@ enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim
 	size_t n = sizeof transform_words / sizeof *transform_words;
 
 	for (size_t k = 0; k < words->n; k++) {
-		if (k > 0 &&
-		    (ts_streq(words->word[k - 1].text, "file") || ts_streq(words->word[k - 1].text, "fix")))
-			continue; /* a file or fix may be named like a keyword */
+		const char *before = k > 0 ? words->word[k - 1].text : "";
+
+		if (ts_streq(before, "file") || ts_streq(before, "fix") || ts_streq(before, "region"))
+			continue; /* a file, fix or region may be named like a keyword */
 		for (size_t j = 0; j < n; j++)
 			if (ts_streq(words->word[k].text, transform_words[j].name))
 				TS_TRY(apply_transform(self, sim, &transform_words[j], &words->word[k],

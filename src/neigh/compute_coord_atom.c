@@ -59,10 +59,14 @@ static enum ts_status read_types(struct reader *r)
 	s->types = ts_arena_alloc(&r->self->arena, n, sizeof *s->types);
 	if (!s->types)
 		return ts_nomem(&r->sim->error);
-	for (size_t k = 0; k < r->rest.n; k++)
+	for (size_t k = 0; k < r->rest.n; k++) {
+		const struct ts_place *where = &r->rest.word[k].place;
+
 		TS_TRY(ts_args_parse(r->sim, "compute coord/atom", row,
-				     (struct ts_words){ r->rest.word + k, 1 }, &r->rest.word[k].place,
-				     &r->self->arena, &s->types[k]));
+				     (struct ts_words){ r->rest.word + k, 1 }, where, &r->self->arena,
+				     &s->types[k]));
+		TS_TRY(ts_particles_require_types(r->sim, "compute coord/atom", &s->types[k], where));
+	}
 	return TS_OK;
 }
 
@@ -124,6 +128,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 			      &task);
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct coord *)self->state)->ncolumns;
+}
+
 static const struct ts_value values[] = {
 	{ "neighbours", "", "number of particles within the cutoff; 0 outside the group", TS_PERATOM, 0, NULL,
 	  eval },
@@ -151,5 +160,6 @@ const struct ts_style ts_compute_coord_atom = {
 	.args = args,
 	.state_size = sizeof(struct coord),
 	.values = values,
+	.width = width,
 	.init = init,
 };

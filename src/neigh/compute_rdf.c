@@ -46,6 +46,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 		TS_TRY(ts_args_parse(sim, "compute rdf", rows, two, &s->words.word[k].place, &self->arena,
 				     &s->pair[k / 2]));
+		TS_TRY(ts_particles_require_types(sim, "compute rdf", &s->pair[k / 2].a, &two.word[0].place));
+		TS_TRY(ts_particles_require_types(sim, "compute rdf", &s->pair[k / 2].b, &two.word[1].place));
 	}
 	return TS_OK;
 }
@@ -163,6 +165,11 @@ static void fini(struct ts_instance *self)
 	ts_free(((struct rdf *)self->state)->count);
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return 1 + 2 * ((const struct rdf *)self->state)->npairs;
+}
+
 static const struct ts_value values[] = {
 	{ "rdf", "",
 	  "a row for each bin: its middle, then g and the coordination number for each pair of types",
@@ -204,6 +211,7 @@ const struct ts_style ts_compute_rdf = {
 	.args = args,
 	.state_size = sizeof(struct rdf),
 	.values = values,
+	.width = width,
 	.init = init,
 	.fini = fini,
 };

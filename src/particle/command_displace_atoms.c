@@ -131,6 +131,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	ts_log(&sim->log, "Displacing atoms ...\n");
 	ts_domain_units_said(sim, s->units, where);
 	TS_TRY(displace(sim, s, where));
+	TS_TRY(sim->particles->bodies_follow(sim, true, "displace_atoms", where));
 	return ts_exchange_migrate(sim);
 }
 

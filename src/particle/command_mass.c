@@ -17,9 +17,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_particles *p = sim->particles;
 	int hi = s->types.hi ? s->types.hi : p->ntypes;
 
-	if (hi > p->ntypes)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "mass: there is no type %d, types go from 1 to %d", hi, p->ntypes);
+	TS_TRY(ts_particles_require_types(sim, "mass", &s->types, where));
 	for (int t = s->types.lo; t <= hi; t++)
 		p->type_mass[t] = s->mass;
 	for (size_t i = 0; i < p->n; i++)

@@ -268,6 +268,11 @@ static bool reads_others(const struct state *s)
 	return false;
 }
 
+static bool moves(const struct state *s)
+{
+	return !s->value[X].null || !s->value[Y].null || !s->value[Z].null || s->words[IMAGE].n;
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
@@ -279,7 +284,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->mode == TYPE && (s->range.lo > p->ntypes || s->range.hi > p->ntypes))
 		return ts_fail(&sim->error, TS_RANGE, where, "set: there are %d types of particles, found %d",
 			       p->ntypes, s->range.hi ? s->range.hi : s->range.lo);
-	if (reads_others(s))
+	if (reads_others(s) || p->body) /* bodies follow their members */
 		TS_TRY(ts_ranks_unite(sim));
 	if (s->mode == MOLECULE)
 		TS_TRY(ts_particles_need_molecules(sim, "set", where));
@@ -295,7 +300,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	status = apply_settings(sim, s, chosen, count, where);
 	ts_free(chosen);
 	ts_particles_inverse_mass(p);
-	return status;
+	return status == TS_OK && moves(s) ? p->bodies_follow(sim, true, "set", where) : status;
 }
 
 static const struct ts_arg by_id[] = {

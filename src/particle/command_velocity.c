@@ -105,7 +105,7 @@ static enum ts_status measure_temperature(struct tsim *sim, const struct state *
 	struct ts_instance *inst;
 
 	TS_TRY(find_temperature_compute(sim, s, where, &inst));
-	TS_TRY(ts_value_eval(inst, sim, ts_value_find(inst, TS_SCALAR), &inst->table));
+	TS_TRY(ts_value_cached(inst, sim, ts_value_find(inst, TS_SCALAR)));
 	*now = inst->table.data[0];
 	return TS_OK;
 }
@@ -275,7 +275,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->bias && !s->temp)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
 			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
-	if (s->temp) /* a compute */
+	if (s->temp || p->body) /* a compute; bodies follow their members */
 		TS_TRY(ts_ranks_unite(sim));
 	if ((s->mode == SET && !is_zero(s)) || s->mode == RAMP)
 		ts_domain_units_said(sim, s->units, where);

@@ -51,6 +51,11 @@ static void fini(struct ts_instance *self)
 	ts_table_release(&c->one);
 }
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct property *)self->state)->names.n;
+}
+
 static const struct ts_value values[] = {
 	{ .name = "property",
 	  .unit = "",
@@ -77,6 +82,7 @@ const struct ts_style ts_compute_property_atom = {
 	.args = args,
 	.state_size = sizeof(struct property),
 	.values = values,
+	.width = width,
 	.init = init,
 	.fini = fini,
 };

@@ -46,14 +46,15 @@ static enum ts_status find_variable(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_suggest suggest = ts_suggest_start(s->rate_variable);
+	const struct ts_place *where = ts_instance_word(self, s->rate_variable);
 
 	s->rate = (struct ts_number){ .variable = s->rate_variable };
 	if (!sim->script_api || sim->script_api->has_variable(sim->script_api_data, s->rate_variable)) {
 		s->rate_variable = NULL;
-		return TS_OK;
+		return ts_number_check(sim, &s->rate, where);
 	}
 	sim->script_api->suggest_variable(sim->script_api_data, &suggest);
-	return ts_missing(&sim->error, "variable", s->rate_variable, ts_instance_word(self, s->rate_variable),
+	return ts_missing(&sim->error, "variable", s->rate_variable, where,
 			  "fix remove: unknown variable '%s'%s", s->rate_variable, ts_suggest_text(&suggest));
 }
 

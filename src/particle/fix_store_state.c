@@ -122,6 +122,11 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static size_t width(const struct ts_instance *self)
+{
+	return ((const struct state *)self->state)->input.n;
+}
+
 static const struct ts_value values[] = {
 	{ .name = "stored",
 	  .unit = "",
@@ -148,6 +153,7 @@ const struct ts_style ts_fix_store_state = {
 	.state_size = sizeof(struct state),
 	.archive = archive,
 	.values = values,
+	.width = width,
 	.init = init,
 	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
 	.fini = fini,

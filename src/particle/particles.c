@@ -53,6 +53,18 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_particles_need(sim, sim->columns);
 }
 
+enum ts_status ts_particles_require_types(struct tsim *sim, const char *who, const struct ts_types *types,
+					  const struct ts_place *where)
+{
+	int most = sim->particles->ntypes;
+
+	if (types->lo <= most && types->hi <= most)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "%s: particle type %d does not exist, create_box made %d", who,
+		       types->hi > most ? types->hi : types->lo, most);
+}
+
 enum ts_status ts_particles_make_box(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
 				     const struct ts_place *where)
 {

@@ -151,9 +151,17 @@ struct ts_particles {
 	/* Material density of particle i: mass / volume, or the density of its clump; set by the rigid
 	 * bodies. */
 	double (*material_density)(const struct tsim *sim, size_t i);
+	/* To be called after the command `who` has moved particles or changed the box: rigid bodies follow their members; whether
+	 * the command may move members of a body apart; set by the rigid bodies. */
+	enum ts_status (*bodies_follow)(struct tsim *sim, bool reshapes, const char *who,
+					const struct ts_place *where);
 };
 
 enum ts_lost { TS_LOST_IGNORE, TS_LOST_WARN, TS_LOST_ERROR };
+
+/* Fails if a range of types goes beyond the last one. `who`: whose argument it is, for the message. */
+enum ts_status ts_particles_require_types(struct tsim *sim, const char *who, const struct ts_types *types,
+					  const struct ts_place *where);
 
 /* Creates the box from lo to hi for particles of types 1..ntypes. `where`: place in the script for messages,
  * or NULL. */

@@ -4,6 +4,7 @@
 
 #include "box/domain.h"
 #include "particle/group_moments.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -113,13 +114,10 @@ static double always_zero(const struct tsim *sim, size_t i)
 	return 0;
 }
 
-/* L = I omega of a sphere, or in two dimensions of a disc; k: component. */
+/* L = I omega; k: component. */
 static double angular_momentum(const struct tsim *sim, size_t i, int k)
 {
-	const struct ts_particles *p = sim->particles;
-	double part = sim->dimension == 2 ? 0.5 : 0.4;
-
-	return p->omega ? part * p->mass[i] * p->radius[i] * p->radius[i] * p->omega[i][k] : 0;
+	return sim->particles->omega ? ts_inertia(sim, i) * sim->particles->omega[i][k] : 0;
 }
 
 static double angular_momentum_x(const struct tsim *sim, size_t i)

@@ -16,7 +16,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (sim->dimension != 3)
 		return ts_fail(&sim->error, TS_STATE, &self->where, "fix multisphere needs dimension 3");
 	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style == self->style && fixes->item[k] != self)
+		if (fixes->item[k]->style == self->style && !ts_streq(fixes->item[k]->id, self->id))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix multisphere: there is one already, fix %s (%s:%d)",
 				       fixes->item[k]->id, TS_FILE_AND_LINE(fixes->item[k]->where));

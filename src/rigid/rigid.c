@@ -33,9 +33,7 @@ enum ts_status ts_rigid_reserve(struct tsim *sim, size_t n)
 	return TS_OK;
 }
 
-/* Stores the positions of the members in the principal-axes frame of the body. */
-static void attach_members(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row,
-			   size_t n)
+void ts_rigid_attach(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row, size_t n)
 {
 	struct ts_particles *p = sim->particles;
 	double m[3][3], arm[3];
@@ -64,7 +62,7 @@ enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_
 	r->size[r->n] = (int32_t)n;
 	r->owner[r->n] = owner;
 	r->n++;
-	attach_members(sim, body, r->last_id, row, n);
+	ts_rigid_attach(sim, body, r->last_id, row, n);
 	r->generation = 0;
 	ts_rigid_place(sim, body, row, n);
 	return TS_OK;

@@ -10,6 +10,9 @@
 enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body);
 void ts_rigid_principal(struct ts_body *body, const double tensor[6]);
 
+/* Makes the particles row[] members of the body with this id, at their positions in the frame of its principal axes. */
+void ts_rigid_attach(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row, size_t n);
+
 /* Computes positions and velocities of the members row[] from those of the body. */
 void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n);
 

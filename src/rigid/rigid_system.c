@@ -7,6 +7,7 @@
 #include "core/report.h"
 #include "particle/copies.h"
 #include "rigid/rigid_batch.h"
+#include "rigid/rigid_follow.h"
 
 #include "base/banned.h"
 
@@ -210,6 +211,7 @@ static void fini(struct ts_instance *self)
 static void connect_rigid_bodies(struct tsim *sim)
 {
 	sim->particles->material_density = ts_rigid_material_density;
+	sim->particles->bodies_follow = ts_rigid_follow;
 }
 
 const struct ts_system_style ts_rigid_system = {
@@ -219,6 +221,7 @@ const struct ts_system_style ts_rigid_system = {
 		   .state_size = sizeof(struct ts_rigid),
 		   .archive = archive,
 		   .fingerprint = fingerprint,
+		   .init = ts_rigid_take_velocities,
 		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 			     [TS_STAGE_EXCHANGE] = exchange,
 			     [TS_STAGE_BUILD] = build,

@@ -1,6 +1,7 @@
 /* Command reset_timestep: sets the step counter. */
 #include "core/sim.h"
 
+#include "bond/bonds.h"
 #include "dump/dump.h"
 #include "thermo/thermo.h"
 
@@ -16,16 +17,6 @@ static bool samples_by_step(const struct ts_instance *fix)
 {
 	for (const struct ts_arg *row = fix->style->args; row && row->type != TS_ARG_END; row++)
 		if (row->type == TS_ARG_INT && row->flags & TS_STATEFUL)
-			return true;
-	return false;
-}
-
-/* Fixes whose motion is a function of the time since their definition save that time as `origin`: particles would
- * jump if the time were set. */
-static bool moves_by_time(const struct ts_instance *fix)
-{
-	for (const struct ts_saved *row = fix->style->saved; row && row->name; row++)
-		if (ts_streq(row->name, "origin"))
 			return true;
 	return false;
 }
@@ -51,7 +42,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "fix %s (%s, %s:%d) counts steps: unfix it before reset_timestep",
 				       fix->id, fix->style->name, TS_FILE_AND_LINE(fix->where));
-		if (moves_by_time(fix) && time != ts_sim_time(sim))
+		if (fix->style->moves_by_time && fix->style->moves_by_time(fix) && time != ts_sim_time(sim))
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "fix %s (%s, %s:%d) moves by the time since its definition, now %g: "
 				       "unfix it before reset_timestep, or keep the time: `reset_timestep "
@@ -61,6 +52,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	}
 	if (s->step != sim->clock.step) {
 		clear_last_frames(sim);
+		sim->bonds->past_events = sim->bonds->nevents;
 		sim->thermo->counted = 0;
 		sim->era++;
 	}
@@ -86,7 +78,7 @@ const struct ts_command_style ts_command_reset_timestep = {
 		.doc = "Sets the step counter. The simulated time is set to step times dt unless it is given. "
 		       "It is an error if there are fixes that average or sample over steps, such as fix "
 		       "ave/time, or if the time changes and there are fixes whose motion is a function of "
-		       "it, such as fix move.",
+		       "it, such as fix move, or fix wall/gran with `wiggle`.",
 		.example = "reset_timestep 0\n"
 			   "reset_timestep 0 time $(time)",
 		.args = args,

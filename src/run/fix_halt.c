@@ -100,7 +100,7 @@ static enum ts_status use_variable(struct ts_instance *self, struct tsim *sim, c
 	}
 	s->number.variable = name;
 	s->measure = variable_value;
-	return TS_OK;
+	return ts_number_check(sim, &s->number, ts_instance_word(self, s->attribute));
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)

@@ -104,7 +104,7 @@ static enum ts_status api_check_variable(void *data, const char *name, enum ts_s
 		status = ts_variable_peratom(get_formulas(data), variable, where, &table);
 	else if (status == TS_OK && shape == TS_VECTOR)
 		status = ts_variable_vector(get_formulas(data), variable, where, &table);
-	else if (status == TS_OK && !variable->style->vector)
+	else if (status == TS_OK)
 		status = ts_variable_number(get_formulas(data), variable, where, &number);
 	ts_table_release(&table);
 	return ts_dry_run_end(get_formulas(data), before, status, true);
@@ -114,10 +114,12 @@ static enum ts_status api_check_variable(void *data, const char *name, enum ts_s
 static void note_reads(void *data, const char *name)
 {
 	struct ts_formulas *formulas = get_formulas(data);
+	enum ts_shape shape = api_is_peratom(data, name)  ? TS_PERATOM
+			      : api_is_vector(data, name) ? TS_VECTOR
+							  : TS_SCALAR;
 
 	formulas->reads_all = formulas->reads_fluid = false;
-	if (api_check_variable(data, name, api_is_peratom(data, name) ? TS_PERATOM : TS_SCALAR, NULL) !=
-	    TS_OK)
+	if (api_check_variable(data, name, shape, NULL) != TS_OK)
 		ts_error_clear(&formulas->sim->error); /* whoever evaluates it says so */
 }
 

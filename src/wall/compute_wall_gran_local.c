@@ -145,6 +145,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 		history = own > history ? own : history;
 	}
+	TS_TRY(ts_walls_connect(s->sim));
 	n = list_contacts(self, NULL);
 	width = ts_contact_columns_width(&s->columns, history);
 	list = ts_alloc(n, sizeof *list);

@@ -121,6 +121,13 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return ts_impacts_update(sim, w);
 }
 
+static bool moves_by_time(const struct ts_instance *self)
+{
+	const struct ts_primitive_wall *w = ts_primitive_wall_of(self->state);
+
+	return w && w->wiggle_words.n;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	TS_TRY(ts_wall_plan(self, sim, report));
@@ -292,6 +299,7 @@ const struct ts_style ts_fix_wall_gran = {
 		  [TS_STAGE_POST_BUILD] = post_build,
 		  [TS_STAGE_POST_FORCE] = post_force },
 	.defers = TS_DEFERS(POST_INTEGRATE),
+	.moves_by_time = moves_by_time,
 	.plan = plan,
 	.review = ts_coincide_review,
 	.fini = fini,

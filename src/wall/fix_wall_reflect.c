@@ -36,7 +36,7 @@ static enum ts_status read_face(struct ts_instance *self, struct tsim *sim, int 
 	if (strncmp(word, "v_", 2) == 0 && sim->script_api &&
 	    sim->script_api->has_variable(sim->script_api_data, name)) {
 		s->at[k].variable = name;
-		return TS_OK;
+		return ts_number_check(sim, &s->at[k], ts_instance_word(self, word));
 	}
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 		       "fix wall/reflect: %s is '%s', expected a number, EDGE or v_NAME", faces[k], word);

@@ -72,6 +72,7 @@ enum ts_status ts_squeeze_find_forces(struct ts_instance *self, struct ts_squeez
 	const struct ts_particles *p = s->sim->particles;
 
 	TS_TRY(check_walls(self, s));
+	TS_TRY(ts_walls_connect(s->sim));
 	if (TS_GROW(s->force, s->capacity, p->n + 1) != TS_OK)
 		return ts_nomem(&s->sim->error);
 	for (size_t i = 0; i < p->n; i++)

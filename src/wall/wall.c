@@ -135,6 +135,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 
+	w->sim = sim;
 	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
 	if (w->words.cohesion == TS_WORD_BOND)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "cohesion"),
@@ -185,8 +186,9 @@ static enum ts_status reserve_laws(struct ts_instance *self, struct tsim *sim, i
 		return TS_OK;
 	w->law = ts_arena_alloc(&self->arena, n * n, sizeof *w->law);
 	w->conductivity = ts_arena_alloc(&self->arena, n * n, sizeof *w->conductivity);
+	w->softening = ts_arena_alloc(&self->arena, n * n, sizeof *w->softening);
 	w->ntypes = most;
-	return w->law && w->conductivity ? TS_OK : ts_nomem(&sim->error);
+	return w->law && w->conductivity && w->softening ? TS_OK : ts_nomem(&sim->error);
 }
 
 bool ts_wall_heats(const struct tsim *sim)
@@ -213,7 +215,10 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	TS_TRY(ts_heat_conductivity(sim, particle, who, &self->where, &own));
 	TS_TRY(ts_heat_conductivity(sim, wall, who, &self->where, &other));
 	w->conductivity[k] = ts_heat_pair_conductivity(own, other);
-	return TS_OK;
+	w->softening[k] = 1;
+	if (sim->legacy == TS_LEGACY_LIGGGHTS) /* corrects contacts of particles only */
+		return TS_OK;
+	return ts_heat_softening(sim, ts_heat_of(sim), wall, particle, &self->where, &w->softening[k]);
 }
 
 static enum ts_status make_laws_of_type(struct ts_instance *self, struct tsim *sim, int type)
@@ -450,9 +455,10 @@ const char *const ts_wall_force_names[] = { "fx", "fy", "fz" };
 
 enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct ts_wall *w = self->state;
+	struct ts_wall *w = self->state;
 	const struct ts_particles *p = sim->particles;
 
+	TS_TRY(ts_wall_contacts_connect(w->sim, &w->contacts));
 	TS_TRY(ts_table_resize(out, p->n, TS_WALL_CONTACT_COLUMNS));
 	if (p->n)
 		memset(out->data, 0, p->n * TS_WALL_CONTACT_COLUMNS * sizeof *out->data);
@@ -487,6 +493,15 @@ struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts
 	if (by)
 		*by = inst;
 	return inst ? inst->state : NULL;
+}
+
+enum ts_status ts_walls_connect(struct tsim *sim)
+{
+	struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		TS_TRY(ts_wall_contacts_connect(sim, &w->contacts));
+	return TS_OK;
 }
 
 void ts_walls_want_reports(const struct tsim *sim)

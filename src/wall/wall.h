@@ -48,6 +48,7 @@ struct ts_wall_brief {
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
 	const struct ts_instance *by;	/* its fix; set in init */
+	struct tsim *sim;		/* for outputs; set in init */
 	struct ts_granular_words words; /* `model ...`; normal off: the model of the pair style */
 	struct ts_wall_contacts contacts;
 	/* sum of the forces of particles on the wall in the last step: ts_wall_force; while `unsummed` without those of
@@ -93,6 +94,7 @@ struct ts_wall {
 	bool yields;			 /* its surface is a spring under particles; set in init */
 	struct ts_heat_contact area;	 /* area for heat conduction */
 	double *conductivity;		 /* 4 k k'/(k + k'), same shape as `law` */
+	double *softening;		 /* factor of the overlap for conduction, same shape as `law` */
 	int ntypes;
 	/* distance from their surface up to which particles are listed, as others ask for near points, length; 0:
 	 * those that may touch. Set, and only enlarged, in the init of these others */
@@ -236,6 +238,8 @@ void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k
 /* Iterates over the walls in script order: start with *k = 0; returns NULL at the end. *by is its fix; `by`
  * may be NULL. */
 struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts_instance **by);
+/* Connects the contacts of all walls to their particles between runs (ts_wall_contacts_connect), for outputs. */
+enum ts_status ts_walls_connect(struct tsim *sim);
 /* Makes walls store reports of their contacts from the next rebuild on: to be called in init. */
 void ts_walls_want_reports(const struct tsim *sim);
 

@@ -5,6 +5,7 @@
 
 #include "base/sort.h"
 #include "particle/division.h"
+#include "particle/identity.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -331,6 +332,29 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 {
 	return ts_archive_writing(archive) ? write_with_history(archive, sim, c)
 					   : read_contacts(archive, sim, c);
+}
+
+static bool is_connected(const struct ts_wall_contacts *c, const struct ts_particles *p)
+{
+	for (size_t k = 0; k < c->n; k++) {
+		size_t i = (size_t)c->row[k];
+
+		if (i >= p->n || p->tag[i] != c->key[k][0])
+			return false;
+	}
+	return true;
+}
+
+enum ts_status ts_wall_contacts_connect(struct tsim *sim, struct ts_wall_contacts *c)
+{
+	struct ts_identities map;
+
+	if (sim->run.epoch || sim->division || is_connected(c, sim->particles))
+		return TS_OK;
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < c->n; k++)
+		c->row[k] = ts_identity_row(&map, c->key[k][0]);
+	return TS_OK;
 }
 
 void ts_wall_contacts_release(struct ts_wall_contacts *c)

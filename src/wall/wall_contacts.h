@@ -116,6 +116,9 @@ enum ts_status ts_wall_contacts_give(struct tsim *sim, struct ts_wall_contacts *
 				     const struct ts_leaving *leaving, struct ts_carried *out);
 enum ts_status ts_wall_contacts_take(struct tsim *sim, struct ts_wall_contacts *c,
 				     const struct ts_carried *rows);
+/* Between runs: finds the rows of the particles if some have been deleted, created or read since; -1: it is gone. For
+ * outputs. */
+enum ts_status ts_wall_contacts_connect(struct tsim *sim, struct ts_wall_contacts *c);
 void ts_wall_contacts_release(struct ts_wall_contacts *c);
 
 #endif

@@ -14,7 +14,7 @@ static enum ts_status contact_load(struct tsim *sim, const struct ts_wall *w, si
 	size_t i = (size_t)w->contacts.row[k];
 	double distance = ts_norm(memory + TS_MULTI_ARM), radius = p->radius[i];
 
-	*one = (struct ts_multicontact_load){ .load.force = memory[TS_MULTI_FORCE], .wall = w };
+	*one = (struct ts_multicontact_load){ .load.force = memory[TS_MULTI_FORCE], .wall = w, .contact = k };
 	for (int d = 0; d < 3; d++) {
 		one->load.e[d] = memory[TS_MULTI_ARM + d] / distance;
 		one->load.point[d] = -memory[TS_MULTI_ARM + d];

@@ -99,13 +99,15 @@ static struct heat conduct(const struct ts_wall *w, struct tsim *sim, size_t i,
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_heat *heat = point->warm ? ts_heat_of(sim) : NULL;
-	double k, h, softening;
+	double h;
+	int types;
 
 	if (!heat || !(point->distance < p->radius[i])) /* no conduction through a contact without touch */
 		return (struct heat){ 0 };
-	k = w->conductivity[point->type * (w->ntypes + 1) + p->type[i]];
-	softening = heat->softening ? heat->softening[point->type * (heat->ntypes + 1) + p->type[i]] : 1;
-	h = ts_heat_conductance(k, ts_heat_area_at_wall(&w->area, point->distance, p->radius[i], softening));
+	types = point->type * (w->ntypes + 1) + p->type[i];
+	h = ts_heat_conductance(w->conductivity[types],
+				ts_heat_area_at_wall(&w->area, point->distance, p->radius[i],
+						     w->softening[types]));
 	return (struct heat){ h, -ts_heat_from_wall(heat, sim, i, h, point->temperature),
 			      point->temperature };
 }
@@ -314,7 +316,7 @@ static double surface_bulge(const struct ts_wall_queue *q, size_t k, size_t i,
 			    const struct ts_wall_contact_point *point)
 {
 	double *memory = ts_wall_memory(&q->w->contacts, k) + ts_granular_multi_at(q->model);
-	double bulge = ts_multicontact_at_wall(q->sim, i, point->n, point->distance, q->w);
+	double bulge = ts_multicontact_at_wall(q->sim, i, point->n, point->distance, q->w, k);
 	double radius = q->sim->particles->radius[i] + bulge;
 
 	if (point->distance < radius) {

@@ -34,7 +34,8 @@ static enum ts_status check_alone(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; (by = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_WEAR, &k));) {
 		const struct ts_wear *other = by->state;
 
-		if (by != self && other->evolution.on && ts_streq(other->surface_id, mine->surface_id))
+		if (!ts_streq(by->id, self->id) && other->evolution.on &&
+		    ts_streq(other->surface_id, mine->surface_id))
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "evolve"),
 				       "fix %s: surface '%s' recedes by fix %s already; only one fix may "
 				       "change its geometry",

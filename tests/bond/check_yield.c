@@ -128,22 +128,34 @@ static struct ts_xyz random_vector(struct ts_rng *rng, double size)
 	return (struct ts_xyz){ size * (2 * x - 1), size * (2 * y - 1), size * (2 * z - 1) };
 }
 
+static struct beam turned_at_random(struct ts_rng *rng)
+{
+	struct beam b = straight();
+
+	for (int k = 0; k < 2; k++) {
+		struct ts_xyz by = random_vector(rng, 0.05);
+
+		turn(&b, k, by.x, by.y, by.z);
+	}
+	b.s.d = ts_xyz_add(b.s.d, LENGTH, random_vector(rng, 0.02));
+	return b;
+}
+
+static void near(struct ts_xyz a, struct ts_xyz b, double within)
+{
+	DECK_NEAR(a.x, b.x, within);
+	DECK_NEAR(a.y, b.y, within);
+	DECK_NEAR(a.z, b.z, within);
+}
+
 /* Both ends turned at random: no moment is above its limit, the same turned in space, and the flow costs work. */
 START_TEST(any_rotation)
 {
 	struct ts_rng rng = ts_rng_start(2385, (uint64_t)_i);
 	const struct ts_wxyz all = ts_wxyz_of_vector(random_vector(&rng, 3));
-	struct beam b = straight(), c;
+	struct beam b = turned_at_random(&rng), c = b;
 	struct ts_xyz m[TS_PLASTIC_PLACES];
-	struct ts_xyz turned;
 
-	for (int k = 0; k < 2; k++) {
-		struct ts_xyz by = random_vector(&rng, 0.05);
-
-		turn(&b, k, by.x, by.y, by.z);
-	}
-	b.s.d = ts_xyz_add(b.s.d, LENGTH, random_vector(&rng, 0.02));
-	c = b;
 	c.s.d = ts_wxyz_rotate(all, c.s.d);
 	for (int k = 0; k < 2; k++)
 		c.s.q[k] = ts_wxyz_product(all, c.s.q[k]);
@@ -155,10 +167,27 @@ START_TEST(any_rotation)
 				    ts_plastic_limit(&b.limit, k) * (1 + 1e-11));
 	ck_assert_double_gt(b.work, 0);
 	DECK_NEAR(c.work / b.work, 1, 1e-10);
-	turned = ts_wxyz_rotate(all, b.a.torque[0]);
-	DECK_NEAR(turned.x, c.a.torque[0].x, 1e-9 * b.limit.moment);
-	DECK_NEAR(turned.y, c.a.torque[0].y, 1e-9 * b.limit.moment);
-	DECK_NEAR(turned.z, c.a.torque[0].z, 1e-9 * b.limit.moment);
+	near(ts_wxyz_rotate(all, b.a.torque[0]), c.a.torque[0], 1e-9 * b.limit.moment);
+}
+END_TEST
+
+/* The same element seen from its other end: all moments change places. */
+START_TEST(exchanged_ends)
+{
+	static const struct ts_wxyz back = { 0, 0, 0, 1 };
+	struct ts_rng rng = ts_rng_start(77, (uint64_t)_i);
+	struct beam b = turned_at_random(&rng), c = b;
+
+	c.s.d = ts_xyz_scale(-1, b.s.d);
+	for (int k = 0; k < 2; k++)
+		c.s.q[k] = ts_wxyz_product(b.s.q[1 - k], back);
+	settle(&b);
+	settle(&c);
+	ck_assert_double_gt(b.work, 0);
+	DECK_NEAR(c.work / b.work, 1, 1e-10);
+	for (int k = 0; k < 2; k++)
+		near(b.a.torque[k], c.a.torque[1 - k], 1e-10 * b.limit.moment);
+	near(b.a.force, ts_xyz_scale(-1, c.a.force), 1e-10 * b.limit.force);
 }
 END_TEST
 
@@ -172,6 +201,7 @@ int main(void)
 	tcase_add_test(tests, torque);
 	tcase_add_loop_test(tests, elongation, 0, 2);
 	tcase_add_loop_test(tests, any_rotation, 0, 40);
+	tcase_add_loop_test(tests, exchanged_ends, 0, 40);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);
 }

@@ -104,7 +104,8 @@ rejects "$(pair '* * hooke 1e5 1 tangential linear 1 0.5')" "tangential is 'line
 rejects "$(pair '* * hooke 1e5 1 tangential linear_history 1 0.5')" 'mu is missing'
 rejects "$(pair "* * jkr 1e5 1 0.3 1 $smooth limit_damping")" 'does not go with jkr, which attracts'
 rejects "$(pair "* * dmt 1e5 1 0.3 1 $smooth damping coeff_restitution")" 'does not go with dmt, which attracts'
-rejects "$(pair "* * hooke 1e5 1.2 $smooth damping coeff_restitution")" 'the coefficient of restitution is 1.2'
+rejects "$(pair "* * hooke 1e5 1.2 $smooth damping coeff_restitution")" 'is a coefficient of restitution, 1.2, expected a number > 0'
+rejects "$(pair "* * hooke 1e5 1.2 $smooth damping tsuji")" 'is a coefficient of restitution, 1.2, expected a number >= 0'
 rejects "$(pair "* * hooke 1e5 1 $smooth heat area 1")" 'heat area is not supported'
 rejects "$(pair "* * hooke 1e5 1 $smooth twisting marshall")" 'linear_nohistory has none'
 rejects "$(pair "1 1 hooke 1e5 1 $smooth" "2 2 hertz 1e5 1 $smooth")

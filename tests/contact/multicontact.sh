@@ -165,6 +165,27 @@ done
 rejects "$(scene 'f f f' 1 '0 0 0' '0.007 0 0' '-0.007 0 0' '0 0.007 0' '0 -0.007 0' '0 0 0.007' '0 0 -0.007' | sed 's/_prefactor 1.25/_prefactor 4/')
 run 60" 'the limit is 0.1'
 
+# the load of a contact that ends moves nothing: 300 single grains that bounce off a plane as without the fix
+bounce() { # SURFACE FIX TO
+	local surface=$1 fix=$2
+	box 'f f f' | sed 's/-0.03 0.03/-0.5 0.5/g'
+	awk 'BEGIN { for (k = 0; k < 300; k++) print "create_atoms 1 single", -0.4 + 0.02 * (k % 30), \
+		-0.4 + 0.02 * int(k / 30), "0.0051 units box" }'
+	scene 'f f f' 0.6 | sed '1,/^create_box/d'
+	echo "variable v atom -1-0.01*id
+set group all vz v_v vx 0.3
+fix w all wall/gran model hertz tangential history $surface primitive type 2 zplane 0
+fix move all nve/sphere
+timestep 1e-5
+run 600
+write_dump all custom $3 id vx vz omegay modify sort id format float %.12g"
+}
+bounce '' '' without >in.without
+bounce "$surface" "$fix" with >in.with
+{ "$TSIM" -in in.without -log none && "$TSIM" -in in.with -log none; } >out 2>&1
+cmp without with >>out 2>&1
+report 'grains that bounce off a plane have no other contacts' $? out
+
 # LIGGGHTS 3.8: at walls to round-off; at grains but for R*, which has the part of one of them only
 both() { # WHAT WITHIN LINE...: the forces of the last step
 	local what=$1 within=$2

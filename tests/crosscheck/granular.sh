@@ -42,4 +42,46 @@ agrees 'model hooke tangential history' 'ktToKnUser on'
 agrees 'model hooke/stiffness tangential history' 'absolute_damping on'
 agrees 'model hooke/hysteresis tangential history'
 agrees 'model hooke tangential history' 'viscous on'
+
+# spheres that overlap when the run begins: that overlap is the largest one so far
+cat >in.overlap <<'END'
+units si
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+neighbor 0.001 bin
+neigh_modify delay 0
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 1 single 0.5099 0.5 0.5 units box
+set atom 1 diameter 0.01 density 2500 vx -0.1
+set atom 2 diameter 0.01 density 2500 vx 0.1
+fix m1 all property/global youngsModulus peratomtype 1e7
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 1
+fix m4 all property/global characteristicVelocity scalar 1
+fix m5 all property/global coefficientMaxElasticStiffness peratomtypepair 1 4
+fix m6 all property/global coefficientAdhesionStiffness peratomtypepair 1 0.5
+fix m7 all property/global coefficientPlasticityDepth peratomtypepair 1 0.05
+pair_style gran model hooke/hysteresis
+pair_coeff * *
+timestep 1e-5
+fix w all wall/gran model hooke/hysteresis primitive type 1 zplane 0.4951
+fix integ all nve/sphere
+dump d all custom 1 overlap.${program} id x vx fx fz
+dump_modify d sort id format "%d %.16g %.16g %.16g %.16g"
+run 20
+END
+{ liggghts -in in.overlap -var program liggghts -log none && "$TSIM" -in in.overlap -var program tsim -log none; } >out 2>&1
+paste overlap.liggghts overlap.tsim | awk '
+	NF == 10 && !/[A-Z]/ {
+		n++
+		for (k = 2; k <= 5; k++)
+			if (($k - $(k + 5))^2 > 1e-24 * ($k * $k + 1e-12)) { print; bad = 1 }
+	}
+	END { exit bad || n < 42 }' >>out
+report 'hooke/hysteresis: an overlap before the first step' $? out
 finish

@@ -38,9 +38,11 @@ START_TEST(moving_observers)
 					     "gap stepped upper_slip 0.3",
 					     "roughness 0.03 0.05 3",
 					     "cavitation reynolds cavity_pressure -1",
-					     "pressure_xhi 3" };
+					     "pressure_xhi 3",
+					     "least_gap 0.3",
+					     "gap stepped least_gap 0.3" };
 
-	for (int k = 0; k < 7; k++) {
+	for (int k = 0; k < (int)(sizeof words / sizeof *words); k++) {
 		struct tsim *a = deck_open(scene, 1.0, 0.5, -0.3, 0.0, words[k]);
 		struct tsim *b = deck_open(scene, 0.0, 0.7, -1.3, 0.2, words[k]);
 		struct tsim *c = deck_open(scene, 1.3, 0.5, 0.0, 0.0, words[k]);

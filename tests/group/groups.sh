@@ -229,4 +229,8 @@ reject 'a motion goes on in time' "$cube
 fix t all move linear 1 0 0
 run 3
 reset_timestep 0" 'moves by the time since its definition'
+reject 'a wall oscillates on in time' "${cube/p p p/f f f}
+fix w all wall/gran hooke/history 200000.0 NULL 50.0 NULL 0.5 1 zplane -5 NULL wiggle z 0.001 0.02
+run 3
+reset_timestep 0" 'moves by the time since its definition'
 finish

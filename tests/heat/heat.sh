@@ -72,16 +72,17 @@ variable r equal 0.215-v_y*(0.215-sqrt(0.19^2+0.03^2))
 run 1
 compute q all reduce max f_heatFlux
 print "is q $(c_q/1e3:%.17g) $(v_kk*sqrt(v_lens)/2:%.17g)"'
-for correction in yes no; do
-	agree "area_correction $correction at a wall" 'include in.two
-set atom 2 z 0.5
+for correction in yes no legacy; do
+	agree "area_correction $correction at a wall" "legacy $([[ $correction = legacy ]] && echo yes || echo no)"'
+include in.two
+set atom 2 z 0.5 type 1
 fix y all property/global youngsModulus peratomtype 1e7 2e7
 fix y0 all property/global youngsModulusOriginal peratomtype 1e9 1e9
 fix nu all property/global poissonsRatio peratomtype 0.3 0.2
 fix e all property/global coefficientRestitution peratomtypepair 2 0.9 0.9 0.9 0.9
 fix hold all freeze
 fix w all wall/gran model hertz primitive type 2 zplane -0.093 temperature 500
-fix heat all heat/gran initial_temperature 273.15 area_correction '$correction' store_contact_data yes
+fix heat all heat/gran initial_temperature 273.15 area_correction '${correction/legacy/yes}' store_contact_data yes
 variable y equal 1/(0.91/1e7+0.96/2e7)*(0.91+0.96)/1e9
 variable factor string '"$([[ $correction = yes ]] && echo v_y || echo 1)"'
 variable d equal 0.1-${factor}*0.007

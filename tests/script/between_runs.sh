@@ -1,0 +1,237 @@
+#!/bin/bash
+# What is read and changed between runs: outputs after particles were deleted, outputs that share a table, members of
+# rigid bodies that commands move, fixes that are defined anew.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_meshes.sh
+. "$top_srcdir/tests/lib_meshes.sh"
+
+box='units si
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+region box block 0 2 0 1 0 1 units box
+create_box 1 box
+neighbor 0.02 bin
+timestep 1e-5'
+materials='fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *'
+grains() { # X,Y,Z...: of diameter 0.1
+	local at
+	for at; do echo "create_atoms 1 single ${at//,/ } units box"; done
+	echo 'set group all diameter 0.1 density 2500'
+}
+
+# ---- outputs of one style that share a table
+prints "$box
+$(grains 0.3,0.5,0.5 0.7,0.5,0.5)
+velocity all set 2 1 0
+compute t all temp
+compute p all pressure t
+thermo_modify temp t press p
+variable a equal c_t[1]-c_t[2]
+variable b equal temp
+variable c equal c_t[1]-c_t[2]
+fix i all nve/sphere
+thermo_style custom step c_t[1] temp c_t[1] v_a v_b v_c c_p[1] press c_p[1]
+run 0
+print \"the same \$(v_a==v_c) \$(v_a:%.6g)\"" '*the same 1 7.85398' &&
+	awk 'NF == 10 && $1 == "0" { n++; bad = $2 != $4 || $2 == $3 || $5 != $7 || $8 != $10 } END { exit bad || !n }' out
+report 'vectors beside the scalars that replace temp and press' $? out
+prints "$box
+$(grains 0.5,0.5,0.5)
+fix a all addforce 1 2 3
+fix_modify a energy yes
+thermo_style custom step f_a[1] pe f_a[3]
+run 0"
+
+# ---- contacts after particles were deleted or read
+column=$(grains 0.3,0.5,0.5 0.6,0.5,0.0495 0.9,0.5,0.5 1.2,0.5,0.049 1.2,0.5,0.1485)
+prints "$box
+$materials
+$column
+fix w all wall/gran model hertz tangential history primitive type 1 zplane 0 contacts
+compute l all wall/gran/local id force primitives yes
+compute ids all reduce max c_l[3]
+compute sum all reduce sum c_l[6]
+compute n all coordination walls yes
+variable f2 equal f_w[2][4]
+variable f4 equal f_w[4][4]
+thermo_style custom step c_n[8] c_sum c_ids
+run 0
+variable all equal v_f2+2*v_f4+3*c_sum+4*c_ids
+variable was equal \$(v_all)
+write_restart r
+region r block -1 0.4 INF INF INF INF units box
+delete_atoms region r compress no
+print \"after: \$(c_n[8]) the same \$(v_all==v_was)\"" 'after: 2 the same 1'
+prints "clear
+read_restart r
+$materials
+fix w all wall/gran model hertz tangential history primitive type 1 zplane 0 contacts
+print \"read \$(f_w[2][4]>0) \$(f_w[4][4]>0) \$(f_w[1][4])\"" '*read 1 1 0'
+# the list is that of the next run, so nothing is told before
+for output in c_k 'c_s'; do
+	rejects "$box
+$materials
+$column
+compute k all contacts
+compute s all reduce sum c_k
+thermo_style custom step c_k c_s
+run 0
+delete_atoms group all compress no
+print \$($output)" 'contacts are known only after a run, and not if particles have been added or deleted since'
+done
+prints 'units si
+atom_style sphere
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box bond/types 1
+create_atoms 1 single 0.2 0.5 0.5
+create_atoms 1 single 0.21 0.5 0.5
+create_atoms 1 single 0.22 0.5 0.5
+set group all diameter 0.01 density 1000
+bond_style contact
+bond_coeff 1 stiffness 10 ultimate 1
+create_bonds many all all 1 0.009 0.011
+compute b all bonds
+timestep 1e-4
+fix i all nve
+run 0
+print "before $(c_b)"
+group last id 3
+delete_atoms group last compress no
+print "after $(c_b)"' 'before 2' 'after 1'
+prints 'units si
+atom_style sphere
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box bond/types 1
+create_atoms 1 single 0.2 0.5 0.5
+create_atoms 1 single 0.21 0.5 0.5
+set group all diameter 0.01 density 1000
+bond_style contact
+bond_coeff 1 stiffness 10 ultimate 0.01
+create_bonds many all all 1 0.009 0.011
+velocity all ramp vx 0 1 x 0.2 0.21
+timestep 1e-4
+fix i all nve
+fix s all bond/store/local 10 id1 id2 time
+compute r all reduce sum f_s[3] inputs local
+thermo_style custom step brokenbonds c_r
+thermo 1
+run 20
+reset_timestep 11
+run 0
+print "broken $(brokenbonds) listed $(c_r)"' 'broken 1 listed 0'
+
+# ---- rigid bodies follow their members
+body="$box
+$(grains 0.5,0.5,0.5 0.55,0.5,0.5)
+timestep 1e-3
+fix r all rigid single"
+prints "$body
+velocity all set 1 0 0
+run 100
+print \"at \$(x[1]:%.12g) \$(x[2]:%.12g)\"
+displace_atoms all move 0 0 0.1 units box
+set atom 1 vz 1
+set atom 2 vz 1
+run 100
+print \"at \$(x[1]:%.12g) \$(z[1]:%.12g)\"" 'at 0.6 0.65' 'at 0.7 0.7'
+prints "$body
+set atom 1 vy -0.05
+set atom 2 vy 0.05
+run 0
+variable w equal 0.025*0.05/(0.025^2+0.4*0.05^2)
+print \"turns \$(omegaz[1]/v_w:%.12g) \$((vy[2]-vy[1])/0.05/v_w:%.12g)\"" 'turns 1 1'
+prints "$body
+displace_atoms all rotate 0.525 0.5 0.5 0 0 1 90 units box
+run 100
+print \"at \$(x[1]:%.10g) \$(y[2]:%.10g)\"" 'at 0.525 0.525'
+prints "$body
+change_box all x final 0 4 remap units box
+run 1
+print \"at \$(0.5*(x[1]+x[2]):%.10g) \$(x[2]-x[1]:%.10g)\"" 'at 1.05 0.05'
+rejects "$body
+replicate 2 1 1" 'belongs to a rigid body, which is not copied'
+prints "$box
+replicate 1000000 100000 1" '*0 atoms'
+
+# ---- fixes that are defined anew under their own name
+plate 2 0 >cut.stl
+prints "$box
+$(grains 0.5,0.45,0.6)
+timestep 1e-4
+fix i all nve/sphere
+fix cut all mesh/surface/planar file $work/cut.stl type 1 move 0.5 0.5 0.5
+fix f all massflow/mesh mesh cut vec_side 0 0 -1 count once
+velocity all set 0 0 -1 units box
+run 2000
+print \"passed \$(f_f[2])\"
+velocity all set 0 0 1 units box
+run 2000
+velocity all set 0 0 -1 units box
+fix f all massflow/mesh mesh cut vec_side 0 0 -1 count once
+run 2000
+print \"again \$(f_f[2])\"" 'passed 1' 'again 1'
+prints "$box
+$materials
+$(grains 0.5,0.5,0.5 0.599,0.5,0.5)
+pair_style gran model hertz tangential history surface multicontact
+pair_coeff * *
+fix c all multicontact/halfspace
+run 1
+fix c all multicontact/halfspace geometric_prefactor 1.2
+run 1
+fix c all multicontact/halfspace
+run 1"
+rejects "$box
+$materials
+fix c all multicontact/halfspace
+fix d all multicontact/halfspace" 'there is one already, fix c'
+prints "$box
+fix m all multisphere
+fix m all multisphere"
+
+# ---- words that are named like keywords
+rejects "$box
+fix m all massflow/mesh count once file mesh" "keyword 'mesh' is missing"
+rejects "$box
+region type block 0 2 0 1 0 1 units box
+fix m all mesh/surface file $work/cut.stl region type" "keyword 'type' is missing"
+prints "$box
+region move block 0 2 0 1 0 1 units box
+fix m all mesh/surface file $work/cut.stl type 1 region move"
+# ---- a stream whose particles are on their way when the time step changes
+printf '0 0 0 0.02\n0.02 0 0 0.02\n' >two.txt
+stream() { # TEMPLATE MOVER: speed 1 towards the face at z = 0.5
+	printf '%s\n' "$box" "$materials" "$1" 'fix pdd all particledistribution/discrete 15485867 1 pts 1.0' \
+		"fix face all mesh/surface/planar file $work/cut.stl type 1 move 0.5 0.5 0.5" "fix i all $2" \
+		'timestep 1e-4' 'fix ins all insert/stream seed 32452843 distributiontemplate pdd nparticles 1 vel constant 0 0 -1 particlerate 10 insertion_face face extrude_length 0.4' \
+		'fix g all gravity 9.81 vector 0 0 -1
+compute z all reduce max z
+run 1001
+variable z equal $(c_z)
+timestep 5e-5
+run 1
+print "moved $((v_z-c_z)/5e-5:%.9g)"
+variable n equal floor((c_z-0.501)/5e-5)
+run ${n}
+compute v all reduce min vz
+run 0
+print "held $(c_v:%.12g)"
+run 200
+print "free $(c_v<-1.05)"'
+}
+spheres='fix pts all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.02'
+clumps="fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 2 ntry 10000 spheres file $work/two.txt scale 1.0 type 1"
+prints "$(stream "$spheres" nve/sphere)" 'moved 1' 'held -1' 'free 1'
+prints "$(stream "$clumps" multisphere)" 'moved 1' 'held -1' 'free 1'
+finish
