@@ -241,9 +241,10 @@ static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 		report_error(sim);
 	else
 		ts_log(&sim->log,
-		       "The state at step %" PRId64 " is saved. To go on, put in the script, instead of what "
-		       "makes the box and the particles,\n"
-		       "  read_restart %s\nand as run command\n  run %" PRId64 " upto\n",
+		       "The state at step %" PRId64 " is saved. To go on, put in the script, instead of "
+		       "create_box, create_atoms or read_data,\n"
+		       "  read_restart %s\nand as run command\n  run %" PRId64 " upto\nAll fixes stay, those "
+		       "that insert particles, too.\n",
 		       sim->clock.step, ts_str_text(&path), sim->clock.goal);
 	ts_str_release(&path);
 	return good;

@@ -161,8 +161,8 @@ void ts_domain_units_said(struct tsim *sim, int units, const struct ts_place *wh
 	sim->domain->units_warned = true;
 	ts_warn(&sim->log, where, "%s; say `units lattice` or `units box`",
 		sim->units == TS_UNITS_LJ ? "with units lj lengths are multiplied by the lattice spacings, "
-					    "as in LAMMPS, LIGGGHTS takes them as they are"
-					  : "lengths are taken as they are, as in LIGGGHTS, LAMMPS "
+					    "as in LAMMPS; LIGGGHTS takes them as they are"
+					  : "lengths are taken as they are, as in LIGGGHTS; LAMMPS "
 					    "multiplies them by the lattice spacings");
 }
 

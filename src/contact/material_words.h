@@ -29,8 +29,6 @@ extern const char *const ts_normal_names[],
 	TS_ENUM("model", T, f.normal, ts_normal_names, .fallback = "off", .help = "normal law"),             \
 		TS_ENUM("tangential", T, f.tangential, ts_tangential_names, .fallback = "off",               \
 			.help = "tangential law"),                                                           \
-		TS_ENUM("rolling_friction", T, f.rolling, ts_rolling_names, .fallback = "off",               \
-			.help = "rolling law"),                                                              \
 		TS_ENUM("cohesion", T, f.cohesion, ts_cohesion_names, .fallback = "off",                     \
 			.help = "cohesion law; bond: bonds between particles (bond_style cohesion); "        \
 				"easo/... and washino/... are liquid bridges "                               \
@@ -38,6 +36,8 @@ extern const char *const ts_normal_names[],
 				"fluidViscosity, contactAngle, minSeparationDistanceRatio, "                 \
 				"maxSeparationDistanceRatio, surfaceLiquidContentInitial and "               \
 				"lbVolumeFraction"),                                                         \
+		TS_ENUM("rolling_friction", T, f.rolling, ts_rolling_names, .fallback = "off",               \
+			.help = "rolling law"),                                                              \
 		TS_ENUM("surface", T, f.surface, ts_surface_names, .fallback = "default",                    \
 			.help = "`multicontact`: surfaces are displaced by the other contacts of the "       \
 				"particle, see "                                                             \

@@ -31,14 +31,48 @@ static enum ts_status hash_words(struct tsim *sim, const struct ts_instance *ins
 	return TS_OK;
 }
 
-static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *inst,
-				    const struct ts_number *number, struct ts_hash *hash)
+enum { DEEPEST = 16 }; /* variables that name each other, one in the other */
+
+static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *inst, const char *name,
+				    int depth, struct ts_hash *hash);
+
+/* The variables that a formula names. */
+static enum ts_status hash_named_variables(struct tsim *sim, const struct ts_instance *inst, const char *text,
+					   int depth, struct ts_hash *hash)
 {
+	static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+
+	for (size_t n; *text; text += n ? n : 1) {
+		char name[128];
+
+		n = strspn(text, letters);
+		if (n < 3 || n >= sizeof name || strncmp(text, "v_", 2) != 0)
+			continue;
+		memcpy(name, text + 2, n - 2);
+		name[n - 2] = '\0';
+		TS_TRY(hash_variable(sim, inst, name, depth, hash));
+	}
+	return TS_OK;
+}
+
+/* A number; of a variable with numbers of all particles, whose order may change, the formula and what it names. */
+static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *inst, const char *name,
+				    int depth, struct ts_hash *hash)
+{
+	const struct ts_script_api *api = sim->script_api;
+	void *data = sim->script_api_data;
+	struct ts_words words;
 	double value;
 
-	if (!number->variable || sim->script_api->is_peratom(sim->script_api_data, number->variable))
+	if (depth > DEEPEST || !api->words_of_variable(data, name, &words))
 		return TS_OK;
-	TS_TRY(ts_number_now(sim, number, &inst->where, &value));
+	for (size_t k = 0; api->is_peratom(data, name) && k < words.n; k++) {
+		ts_hash_text(hash, words.word[k].text);
+		TS_TRY(hash_named_variables(sim, inst, words.word[k].text, depth + 1, hash));
+	}
+	if (api->is_peratom(data, name) || api->is_vector(data, name))
+		return TS_OK;
+	TS_TRY(api->scalar(data, name, &inst->where, &value));
 	ts_hash_add(hash, &value, sizeof value);
 	return TS_OK;
 }
@@ -53,8 +87,9 @@ static enum ts_status hash_references(struct tsim *sim, const struct ts_instance
 
 		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
 			TS_TRY(hash_references(sim, inst, row->modes[*(const int *)field].args, hash));
-		if (row->type == TS_ARG_NUMBER)
-			TS_TRY(hash_variable(sim, inst, field, hash));
+		if (row->type == TS_ARG_NUMBER && ((const struct ts_number *)field)->variable)
+			TS_TRY(hash_variable(sim, inst, ((const struct ts_number *)field)->variable, 0,
+					     hash));
 		if (row->type == TS_ARG_REST && inst->style->kind == TS_KIND_REGION)
 			TS_TRY(hash_words(sim, inst, *(const struct ts_words *)field, hash));
 		region = row->type == TS_ARG_REGION ? *(struct ts_instance *const *)field : NULL;
@@ -77,7 +112,7 @@ static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *
 	return hash_references(sim, inst, inst->style->args, hash);
 }
 
-/* Fixes that only read (averages, prints) are not part of the fingerprint: they do not change forces. */
+/* Fixes that act in no step, or only read (averages, prints). */
 static bool has_no_effect_on_forces(const struct ts_instance *inst)
 {
 	if (inst->style->kind != TS_KIND_FIX)
@@ -86,6 +121,16 @@ static bool has_no_effect_on_forces(const struct ts_instance *inst)
 		if (inst->style->hook[stage])
 			return false;
 	return true;
+}
+
+/* What an instance adds: one that acts in no step, but that others read, such as a material, under whatever name. */
+static enum ts_status hash_effect(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash)
+{
+	if (!has_no_effect_on_forces(inst))
+		return hash_instance(sim, inst, hash);
+	if (inst->style->fingerprint)
+		inst->style->fingerprint(inst, sim, hash);
+	return TS_OK;
 }
 
 static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
@@ -103,8 +148,7 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 		const struct ts_instances *list = &sim->instances[kinds[k]];
 
 		for (size_t i = 0; i < list->n; i++)
-			if (!has_no_effect_on_forces(list->item[i]))
-				TS_TRY(hash_instance(sim, list->item[i], &hash));
+			TS_TRY(hash_effect(sim, list->item[i], &hash));
 	}
 	*out = ts_fingerprint_in_order(sim) ? ts_hash_value(&hash) & ~ANY_ORDER
 					    : ts_hash_value(&hash) | ANY_ORDER;

@@ -114,6 +114,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 	for (int stage = 0; stage < TS_NSTAGE; stage++)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
+	plan->faults = sim->reading.faults;
 	ts_ranks_choose_steps(sim);
 	sim->run.explicit_euler = sim->run.clamped = false; /* set by the init of integrators */
 	TS_TRY(ts_sim_defer_error(sim, refuse_retired(sim)));

@@ -17,6 +17,7 @@ struct ts_plan {
 	struct ts_action *actions[TS_NSTAGE];
 	size_t n[TS_NSTAGE], capacity[TS_NSTAGE];
 	int64_t rebuilds; /* steps that rebuilt the contact list */
+	int64_t faults;	  /* sim->reading.faults when the plan was begun */
 	struct ts_stopwatch {
 		uint64_t spent[TS_NSTAGE]; /* time in each stage of this run, ticks of ts_ticks() */
 		uint64_t last;		   /* ticks at the last reading */

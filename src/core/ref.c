@@ -93,44 +93,6 @@ static enum ts_status resolve_keyword(struct tsim *sim, const char *name, const 
 		       ts_suggest_text(&suggest));
 }
 
-/* The shape that the indices of the ref select from an output of this shape, as a bit; 0: none. */
-static unsigned shape_with_indices(const struct ts_ref *ref, enum ts_shape shape)
-{
-	if (shape == TS_ARRAY && ref->index)
-		return 1u << (ref->column ? TS_SCALAR : TS_VECTOR);
-	if (ref->column || (shape == TS_SCALAR && ref->index))
-		return 0;
-	if (shape == TS_SURFACE)
-		return 1u << TS_SURFACE | 1u << TS_LOCAL;
-	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
-}
-
-/* Fails if no output has an element or column of this number; where the number is known only after evaluation, that
- * tells. */
-static enum ts_status check_index(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
-{
-	const struct ts_instance *inst = ref->inst;
-	size_t most = 0;
-
-	for (const struct ts_value *v = inst->style->values; v->name; v++) {
-		const bool array = v->shape == TS_ARRAY;
-		const long wanted = array && ref->column ? ref->column : ref->index;
-		size_t width;
-
-		if (!ts_value_given(inst, v) || !shape_with_indices(ref, v->shape))
-			continue;
-		width = ts_value_width(inst, v);
-		if (width == 0 || wanted <= (long)width)
-			return TS_OK;
-		most = width > most ? width : most;
-	}
-	if (!most) /* told by what reads it */
-		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, where, "'%s': %s %s (%s) has no [%ld], the last is [%zu]",
-		       ref->name, ts_kind_name(inst->style->kind), inst->id, inst->style->name,
-		       ref->column ? ref->column : ref->index, most);
-}
-
 static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum ts_kind kind,
 				       const struct ts_place *where, struct ts_ref *ref)
 {
@@ -158,7 +120,7 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 	if (!ref->inst->style->values)
 		return ts_fail(&sim->error, TS_STATE, where, "%s %s (%s) has no output to read",
 			       ts_kind_name(kind), id, ref->inst->style->name);
-	return check_index(sim, ref, where);
+	return TS_OK;
 }
 
 /* The thermo keyword that replaces a compute which LIGGGHTS and LAMMPS define by themselves; NULL: none. */
@@ -218,6 +180,44 @@ static enum ts_status refresh_ref(struct tsim *sim, const struct ts_ref *ref, co
 {
 	*now = *ref;
 	return ref->removals == sim->removals ? TS_OK : ts_ref_resolve(sim, ref->name, where, now);
+}
+
+/* The shape that the indices of the ref select from an output of this shape, as a bit; 0: none. */
+static unsigned shape_with_indices(const struct ts_ref *ref, enum ts_shape shape)
+{
+	if (shape == TS_ARRAY && ref->index)
+		return 1u << (ref->column ? TS_SCALAR : TS_VECTOR);
+	if (ref->column || (shape == TS_SCALAR && ref->index))
+		return 0;
+	if (shape == TS_SURFACE)
+		return 1u << TS_SURFACE | 1u << TS_LOCAL;
+	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
+}
+
+enum ts_status ts_ref_check_index(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
+{
+	const struct ts_instance *inst = ref->inst;
+	size_t most = 0;
+
+	if (!inst)
+		return TS_OK;
+	for (const struct ts_value *v = inst->style->values; v->name; v++) {
+		const bool array = v->shape == TS_ARRAY;
+		const long wanted = array && ref->column ? ref->column : ref->index;
+		size_t width;
+
+		if (!ts_value_given(inst, v) || !shape_with_indices(ref, v->shape))
+			continue;
+		width = ts_value_width(inst, v);
+		if (width == 0 || wanted <= (long)width)
+			return TS_OK;
+		most = width > most ? width : most;
+	}
+	if (!most) /* told by what reads it */
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where, "'%s': %s %s (%s) has no [%ld], the last is [%zu]",
+		       ref->name, ts_kind_name(inst->style->kind), inst->id, inst->style->name,
+		       ref->column ? ref->column : ref->index, most);
 }
 
 static unsigned shape_of_variable(const struct tsim *sim, const struct ts_ref *ref)

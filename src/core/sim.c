@@ -81,6 +81,7 @@ enum ts_status ts_sim_defer_error(struct tsim *sim, enum ts_status status)
 {
 	if (status == TS_OK || !sim->reading.explain || !sim->script_api)
 		return status;
+	sim->reading.faults++;
 	return sim->script_api->defer_error(sim->script_api_data, status);
 }
 

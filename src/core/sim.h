@@ -121,6 +121,7 @@ struct ts_reading {
 	bool unreached;	   /* -check: reads a line that is not executed: names need not exist */
 	bool dry;	   /* formulas are checked, not evaluated: do names exist, are shapes right? */
 	bool probing;	   /* evaluation must have no side effect: next() does not advance */
+	int64_t faults;	   /* -explain, -check: errors of plans so far that were recorded, not returned */
 };
 
 /* State of the run and of the present step, set and read by the run command, live styles and stages. */

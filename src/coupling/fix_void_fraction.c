@@ -1,6 +1,7 @@
 /* Fix void_fraction: volume fraction of the fluid in each cell. */
 #include "core/ranks.h"
 #include "core/report.h"
+#include "core/unclaimed_state.h"
 
 #include <math.h>
 #include <string.h>
@@ -293,10 +294,20 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	const struct ts_instance *other;
+	const bool first = !s->sim;
 	bool moved;
 	double largest = 0;
 
+	for (size_t k = 0; (other = ts_flow_part_named(sim, "void_fraction", &k));)
+		if (!ts_streq(other->id, self->id))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix void_fraction: there is one already, fix %s (%s:%d): its group "
+				       "has "
+				       "all particles that displace fluid",
+				       other->id, TS_FILE_AND_LINE(other->where));
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
+	s->fluid->void_anew |= first && !ts_unclaimed_exists(sim, self);
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
 	s->part.volume_distribution = volume_distribution;
 	s->part.order = &s->order;

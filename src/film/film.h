@@ -196,10 +196,11 @@ struct ts_film_touch ts_film_touch(const struct ts_film *f, double h);
 
 /* ---- film_faces.c */
 
-/* Adds to `rate` that of heights z at the centres of cells whose shape moves along the film with a velocity: -div(V z), z on
- * a face with the weights of the flow through it, times `part` of the cell (NULL: 1). So the flow with both surfaces faster by W is that without and W h: a shape that
- * moves has the pressure of one at rest below a surface that moves the other way, to round-off, also where it has steps.
- * gap and kind are set; Cartesian grids. Adds to `ride`, too. */
+/* Adds to `rate` that of z, the gap or the sum of the heights of both surfaces, at the centres of cells whose shape moves
+ * along the film with a velocity: -div(V z), z on a face with the weights of the flow through it, times `part` of the cell
+ * (NULL: 1). So the flow with both surfaces faster by W is that without and W h: a shape that moves has the pressure of one
+ * at rest below a surface that moves the other way, to round-off, also where it has steps. gap and kind are set; Cartesian
+ * grids. Adds to `ride`, too. */
 void ts_film_carry(struct ts_film *f, const double *z, const double velocity[2], const double *part,
 		   double *rate);
 

@@ -222,22 +222,30 @@ void ts_film_set_faces(struct ts_film *f)
 
 /* ---- shapes that move with their surfaces */
 
-/* Height on a face less that of the cell beside it: of the low side, or of the high one. Beside a solid cell it is the
- * height of that cell; on an edge it is between that of the cell and the one extrapolated, as the gap. */
+/* Rise from a cell to a face where the surfaces meet: `z`, that of the gap or the sum of the heights of both surfaces, is
+ * that of the solid cell, but both surfaces are within the gap of the cell. */
+static double rise_to_solid(const struct ts_film *f, const double *z, int cell, int solid)
+{
+	return fmin(fmax(z[solid] - z[cell], -f->gap[cell]), f->gap[cell]);
+}
+
+/* Height on a face less that of the cell beside it: of the low side, or of the high one. On an edge it is between that of
+ * the cell and the one extrapolated, as the gap. */
 static double rise_to_face(const struct ts_film *f, int axis, int i, int j, const double *z, bool from_high)
 {
 	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
 	bool edge = s.low < 0 || s.high < 0;
+	int cell = from_high ? s.high : s.low, beyond = from_high ? s.low : s.high;
 	double low, reach;
 	size_t other;
 
-	if (!edge && f->kind[s.low] == TS_FILM_SOLID)
-		low = 1;
-	else
-		low = !edge && f->kind[s.high] == TS_FILM_SOLID ? 0 : integrate_face(f, axis, i, j, &s).low;
+	if (!edge && f->kind[beyond] == TS_FILM_SOLID)
+		return rise_to_solid(f, z, cell, beyond);
+	if (!edge && f->kind[cell] == TS_FILM_SOLID)
+		return 0;
+	low = integrate_face(f, axis, i, j, &s).low;
 	if (edge) {
-		int cell = s.low < 0 ? s.high : s.low;
-
+		cell = s.low < 0 ? s.high : s.low;
 		reach = reach_of_edge(f, axis, cell % f->n[0], cell / f->n[0], s.low >= 0, &other);
 		return (s.low < 0 ? low : 1 - low) * reach * (z[cell] - z[other]);
 	}

@@ -41,7 +41,6 @@ static void set_gaps(struct ts_film_flow *flow)
 static void carry_shapes(struct ts_film_flow *flow)
 {
 	const struct ts_film_surface *lower = &flow->surface[0], *upper = &flow->surface[1];
-	const double *low = flow->least > 0 ? lower->z : flow->bottom;
 	struct ts_film *f = &flow->film;
 	double together[2], apart[2];
 
@@ -56,7 +55,7 @@ static void carry_shapes(struct ts_film_flow *flow)
 		flow->carried[c] = fmax(f->gap[c], 0);
 	ts_film_carry(f, flow->carried, together, NULL, f->rate);
 	for (size_t c = 0; c < ts_film_cells(f); c++)
-		flow->carried[c] = low[c] + upper->z[c];
+		flow->carried[c] = lower->z[c] + upper->z[c];
 	ts_film_carry(f, flow->carried, apart, flow->yield, f->rate);
 }
 

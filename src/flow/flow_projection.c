@@ -15,6 +15,7 @@
 #include "flow/pressure_projection.h"
 #include "flow/slab_step.h"
 #include "flow/step_rehearsal.h"
+#include "flow/void_fraction.h"
 #include "particle/division.h"
 #include "particle/rank_layout.h"
 #include "poisson/pressure_choice.h"
@@ -118,6 +119,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	p->moved |= is_run && sim->clock.last_step > sim->clock.step;
 	TS_TRY(apply_arguments(self, sim));
 	TS_TRY(ts_projection_setup(self, sim));
+	ts_projection_find_void_fraction(p, sim);
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
 	if (ts_projection_not_started(p))

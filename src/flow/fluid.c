@@ -24,21 +24,30 @@ void ts_fluid_face_velocity_release(struct ts_flow_face_velocity *velocity)
 	}
 }
 
+static void release_scalar(double **field)
+{
+	ts_grid_field_free(*field);
+	*field = NULL;
+}
+
+void ts_fluid_release_void_fraction(struct ts_fluid *fluid)
+{
+	release_scalar(&fluid->void_fraction);
+	release_scalar(&fluid->void_fraction_rate);
+	release_vector(fluid->void_fraction_face);
+	release_vector(fluid->momentum_void_fraction);
+}
+
 void ts_fluid_release(struct ts_fluid *fluid)
 {
-	double **const scalars[] = { &fluid->p, &fluid->void_fraction, &fluid->void_fraction_rate,
-				     &fluid->p_mean };
 
 	release_vector(fluid->u);
 	release_vector(fluid->force);
 	release_vector(fluid->exchange);
 	release_vector(fluid->exchange_velocity);
-	release_vector(fluid->void_fraction_face);
-	release_vector(fluid->momentum_void_fraction);
-	for (size_t k = 0; k < sizeof scalars / sizeof *scalars; k++) {
-		ts_grid_field_free(*scalars[k]);
-		*scalars[k] = NULL;
-	}
+	ts_fluid_release_void_fraction(fluid);
+	release_scalar(&fluid->p);
+	release_scalar(&fluid->p_mean);
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
 			ts_fluid_face_velocity_release(&fluid->face_velocity[d][side]);

@@ -76,6 +76,7 @@ struct ts_fluid {
 	 * it; with time euler the velocity at the end of the step. */
 	double *exchange_velocity[3];
 	double *void_fraction; /* e at centres; fix void_fraction sets it in the inner cells */
+	bool void_anew;	       /* the fix has been defined anew: e is no successor of that of the last step */
 	/* de/dt since the last step of the fluid, at centres; set by the fluid */
 	double *void_fraction_rate;
 	double *void_fraction_face[3]; /* e at lower faces; set by the fluid */
@@ -168,6 +169,8 @@ static inline double ts_flow_face_pressure_at(const struct ts_flow_face_pressure
 /* Allocates u and p on the grid, which exists; the fluid is at rest. */
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
+/* The fluid is everywhere: the void fraction is 1, and not stored. */
+void ts_fluid_release_void_fraction(struct ts_fluid *fluid);
 /* Frees the planes. */
 void ts_fluid_face_velocity_release(struct ts_flow_face_velocity *velocity);
 

@@ -275,6 +275,23 @@ static void find_leaving(struct source *source, const struct plane *plane, int i
 		source->constant[m] = u[m * along] * source->out > 0;
 }
 
+/* The lines outside of the faces of the other two axes: their values on the face are those given, not those of a step. */
+static void set_outer_lines(const struct ts_grid *grid, double *u, const struct plane *plane,
+			    const struct layers *at, struct source *source)
+{
+	const int axes[2] = { plane->a, plane->b };
+
+	for (int k = 0; k < 2; k++) {
+		struct plane below = *plane, above = *plane;
+		const int axis = axes[k];
+
+		below.to[axis] = below.to[axis] < 0 ? below.to[axis] : 0;
+		above.from[axis] = above.from[axis] > grid->n[axis] ? above.from[axis] : grid->n[axis];
+		fill_face(u, RULE_SET, &below, at->face, at->step, NULL, source);
+		fill_face(u, RULE_SET, &above, at->face, at->step, NULL, source);
+	}
+}
+
 static void fill_across(const struct ts_fluid *fluid, double *u, const struct plane *plane,
 			enum ts_grid_side side, bool keep)
 {
@@ -292,6 +309,8 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 	else if (kind != TS_FLOW_SLIP)
 		give_velocity(&source, &fluid->face_velocity[d][side], d);
 	fill_face(u, open ? RULE_LEAVE : keep ? RULE_KEEP : RULE_SET, plane, at.face, at.step, NULL, &source);
+	if (!open && keep)
+		set_outer_lines(&fluid->grid, u, plane, &at, &source);
 }
 
 /* ---- components along the face */

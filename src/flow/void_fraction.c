@@ -2,6 +2,7 @@
  * in the momentum if e u is stepped forward (form conservative). */
 
 #include "base/alloc.h"
+#include "flow/flow.h"
 #include "flow/fluid_slabs.h"
 #include "flow/projection.h"
 #include "flow/void_fraction.h"
@@ -127,6 +128,16 @@ static void make_void_rate(const struct ts_projection *p, double elapsed)
 	}
 }
 
+void ts_projection_find_void_fraction(struct ts_projection *p, const struct tsim *sim)
+{
+	size_t k = 0;
+
+	if (!p->fluid.void_fraction || ts_flow_part_named(sim, "void_fraction", &k))
+		return;
+	ts_fluid_release_void_fraction(&p->fluid);
+	p->empty_known = 0;
+}
+
 enum ts_status ts_projection_update_void_fraction(struct ts_projection *p, double elapsed)
 {
 	struct ts_fluid *fluid = &p->fluid;
@@ -135,6 +146,9 @@ enum ts_status ts_projection_update_void_fraction(struct ts_projection *p, doubl
 		return TS_OK;
 	if (!p->void_fraction_before && !(p->void_fraction_before = ts_grid_field(&fluid->grid)))
 		return TS_NOMEM;
+	if (fluid->void_anew)
+		p->empty_known = 0;
+	fluid->void_anew = false;
 	ts_fluid_fill_centred(fluid, fluid->void_fraction);
 	if (ts_projection_conservative(p))
 		TS_TRY(store_momentum_void_fraction(p, elapsed));

@@ -4,6 +4,8 @@
 
 #include "flow/projection.h"
 
+/* Before a run: without a fix void_fraction the fluid is everywhere, also if there was one before. */
+void ts_projection_find_void_fraction(struct ts_projection *projection, const struct tsim *sim);
 /* Sets ghosts, face values and rate of the void fraction; `elapsed`: time since the last step of the
  * fluid. */
 enum ts_status ts_projection_update_void_fraction(struct ts_projection *projection, double elapsed);

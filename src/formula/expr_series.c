@@ -65,7 +65,7 @@ static enum ts_status eval_stderr(const double *x, size_t n, double *out)
 	struct ts_fit fit;
 
 	TS_TRY(ts_fit_line(NULL, x, n, &fit));
-	*out = fit.slope_error;
+	*out = fit.slope_error * ts_fit_correlation(x, &fit);
 	return TS_OK;
 }
 
@@ -98,7 +98,9 @@ const struct ts_expr_function ts_series_functions[] = {
 	SERIES("max", eval_max, 1, "greatest number of a list"),
 	SERIES("trap", eval_trap, 2, "integral by the trapezoidal rule with unit spacing"),
 	SERIES("slope", eval_slope, 2, "slope of the least-squares straight line, unit spacing"),
-	SERIES("stderr", eval_stderr, 3, "standard error of that slope"),
+	SERIES("stderr", eval_stderr, 3,
+	       "standard error of that slope; deviations from the line may be "
+	       "correlated over a time that is short against the list"),
 	{ .name = "sort",
 	  .arguments = "list",
 	  .help = "the list in ascending order",

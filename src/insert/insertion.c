@@ -226,12 +226,36 @@ static enum ts_status check_start(const struct ts_instance *self, struct tsim *s
 		       (long long)s->start, (long long)sim->clock.step);
 }
 
+/* Particles that will be inserted are members of group all and of that of the fix. */
+static enum ts_status refuse_two_movers(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	const struct ts_instance *first = NULL;
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		const struct ts_instance *fix = fixes->item[k];
+
+		if (!(fix->style->integrates & TS_MOVES) || (fix->group && fix->group != self->group))
+			continue;
+		if (first)
+			return ts_fail(&sim->error, TS_STATE, &fix->where,
+				       "fix %s (%s) moves the particles that fix %s inserts, which fix %s "
+				       "(%s, %s:%d) moves, too: they would be moved twice in each step; "
+				       "`unfix` one of them",
+				       fix->id, fix->style->name, self->id, first->id, first->style->name,
+				       TS_FILE_AND_LINE(first->where));
+		first = fix;
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, bool *first)
 {
 	struct ts_insertion *s = self->state;
 	struct ts_word id = { .text = s->distribution_id };
 
 	*first = s->distribution == NULL;
+	TS_TRY(refuse_two_movers(self, sim));
 	id.place = *ts_instance_word(self, s->distribution_id);
 	TS_TRY(ts_distribution_require(sim, &id, &s->distribution));
 	TS_TRY(read_every(self, sim));

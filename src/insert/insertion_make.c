@@ -232,9 +232,9 @@ static void print_insertion(struct ts_instance *self, struct tsim *sim, size_t m
 	s->warned = true;
 	if (ts_ranks_first(sim))
 		ts_warn(&sim->log, &self->where,
-			"fix %s %s: less insertions than requested: %zu of %zu particles found a place at "
-			"step "
-			"%" PRId64 " with %" PRId64 " tries each on average; raise maxattempt, ask for less, "
+			"fix %s %s: fewer insertions than requested: %zu of %zu particles found a place at "
+			"step %" PRId64 " with %" PRId64
+			" tries each on average; raise maxattempt, ask for less, "
 			"or give them more room (said once)",
 			self->style->name, self->id, made, s->list.n, sim->clock.step, s->maxattempt);
 }

@@ -199,6 +199,18 @@ int ts_template_max_type(const struct tsim *sim)
 	return most;
 }
 
+bool ts_template_of_spheres(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	struct ts_prospect one;
+	bool any = false;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		any |= insertable_kind(fixes->item[k], &one) &&
+		       !ts_streq(fixes->item[k]->style->name, "particletemplate/multisphere");
+	return any;
+}
+
 double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];

@@ -72,6 +72,8 @@ struct ts_prospect {
 /* The largest type of all particles, templates and fixes of the above family; 0 if there are none. As in
  * LIGGGHTS, contact laws must be defined for all types up to it. */
 int ts_template_max_type(const struct tsim *sim);
+/* Whether there is a template of single spheres, or a fix that makes its own. */
+bool ts_template_of_spheres(const struct tsim *sim);
 /* 1 / mass of the lightest particle of this type that a fix can insert, or -1 if there is no such fix;
  * *radius: its radius (may be NULL). */
 double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius);

@@ -18,6 +18,15 @@ static enum ts_status read_number(struct tsim *sim, const struct ts_word *word, 
 		       "fix property/global: expected a number, found '%s'", word->text);
 }
 
+static enum ts_status refuse_pairs(struct tsim *sim, const struct state *s, size_t found)
+{
+	const size_t types = s->property.columns;
+
+	return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[0].place,
+		       "fix property/global %s: %zu types make %zu pairs, found %zu values", s->property.name,
+		       types, types * types, found);
+}
+
 /* peratomtypepair and matrix start with the number of columns. */
 static enum ts_status read_columns(struct tsim *sim, struct state *s, struct ts_words *values)
 {
@@ -29,6 +38,8 @@ static enum ts_status read_columns(struct tsim *sim, struct state *s, struct ts_
 			       s->property.name);
 	*values = ts_words_from(*values, 1);
 	s->property.columns = (size_t)columns;
+	if (s->property.kind == TS_PROPERTY_PAIR && values->n != (size_t)columns * (size_t)columns)
+		return refuse_pairs(sim, s, values->n);
 	if (!values->n || values->n % (size_t)columns)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[0].place,
 			       "fix property/global %s: %zu values are not a multiple of %zu",
@@ -42,10 +53,6 @@ static enum ts_status check_symmetry(struct tsim *sim, const struct state *s)
 
 	if (p->kind != TS_PROPERTY_PAIR)
 		return TS_OK;
-	if (p->n != p->columns * p->columns)
-		return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[0].place,
-			       "fix property/global %s: %zu types make %zu pairs, found %zu values", p->name,
-			       p->columns, p->columns * p->columns, p->n);
 	for (size_t a = 0; a < p->columns; a++)
 		for (size_t b = 0; b < a; b++)
 			if (fabs(p->value[a * p->columns + b] - p->value[b * p->columns + a]) > 0)
@@ -106,6 +113,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 	const struct ts_property *p = self->state;
 
 	(void)sim;
+	ts_hash_text(hash, p->name);
 	ts_hash_add(hash, p->value, p->n * sizeof *p->value);
 }
 

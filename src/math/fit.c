@@ -45,3 +45,24 @@ enum ts_status ts_fit_line(const double *x, const double *y, size_t n, struct ts
 	ts_free(count);
 	return status;
 }
+
+/* Sum of the products of deviations `lag` apart. */
+static double covariance(const double *y, const struct ts_fit *line, size_t lag)
+{
+	double sum = 0;
+
+	for (size_t k = lag; k < line->n; k++)
+		sum += (y[k] - line->intercept - line->slope * (double)k) *
+		       (y[k - lag] - line->intercept - line->slope * (double)(k - lag));
+	return sum;
+}
+
+double ts_fit_correlation(const double *y, const struct ts_fit *line)
+{
+	const double variance = covariance(y, line, 0);
+	double tau = 0.5;
+
+	for (size_t lag = 1; variance > 0 && lag < line->n && (double)lag <= 5 * tau; lag++)
+		tau += covariance(y, line, lag) / variance;
+	return tau > 0.5 ? sqrt(2 * tau) : 1;
+}

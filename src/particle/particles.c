@@ -310,6 +310,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	struct ts_str unused = { 0 };
 
 	warn_out_of_plane(sim);
+	if (!p->n && !sim->division) /* the review has seen nothing: again before the next run */
+		sim->review.made = false;
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		const struct ts_column *c = &p->column[k];
 		double size = (double)(p->capacity * c->width * c->element);

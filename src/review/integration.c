@@ -5,6 +5,7 @@
 
 #include "bond/bonds.h"
 #include "heat/heat.h"
+#include "insert/template.h"
 #include "integrate/integrators.h"
 #include "particle/identity.h"
 #include "rigid/rigid.h"
@@ -23,6 +24,11 @@ enum ts_status ts_review_integrator(struct tsim *sim)
 
 	if (sim->review.steps <= SET_UP_STEPS || sim->outside || (!moved && ts_heat_of(sim)))
 		return TS_OK; /* a host program moves them; or conduction in a packing at rest */
+	if (!p->n && !moved && ts_template_of_spheres(sim))
+		return ts_review_report(sim, "integrator", NULL,
+					"no fix integrates the particles that will be inserted: they will "
+					"not "
+					"move; add `fix ID all nve/sphere`");
 	for (size_t i = 0; i < p->n; i++) {
 		if (p->mask[i] & moved || !(p->imass[i] > 0) || ts_rigid_member(p, i))
 			continue;
@@ -47,6 +53,11 @@ static bool has_type(const struct ts_particles *p, int group, int type)
 		if (p->type[i] == type && ts_in_group(p, i, group))
 			return true;
 	return false;
+}
+
+static bool will_be_inserted(const struct tsim *sim, int group, int type)
+{
+	return group == 0 && ts_template_inverse_mass(sim, type, NULL) > 0;
 }
 
 static bool has_friction(const struct ts_granular_model *model, const struct ts_granular_pair *law)
@@ -79,7 +90,7 @@ static enum ts_status check_fix(struct tsim *sim, const struct ts_instance *fix)
 	for (int t = 1; t <= p->ntypes; t++) {
 		double friction = friction_of(sim, t);
 
-		if (friction > 0 && has_type(p, fix->group, t))
+		if (friction > 0 && (has_type(p, fix->group, t) || will_be_inserted(sim, fix->group, t)))
 			return ts_review_report(sim, "rotation", &fix->where,
 						"fix %s does not integrate rotation, but contacts of type %d "
 						"have friction (coefficient %g), which exerts torques; use "

@@ -22,12 +22,36 @@ static const char *const shape_names[NSHAPES] = { "xplane",    "yplane",    "zpl
 
 /* Parses `least` to `most` numbers, starting at word `first`. The word NULL, for a plane that does not exist,
  * becomes NaN. */
-static enum ts_status parse_numbers(struct tsim *sim, struct ts_words words, size_t first, const char *what,
-				    const char *expected, size_t least, size_t most, double *out)
+static bool is_position(const struct ts_word *word)
+{
+	double number;
+
+	return ts_streq(word->text, "NULL") || ts_parse_real(word->text, &number);
+}
+
+/* A word behind enough numbers that is none itself is a misspelled keyword. */
+static enum ts_status refuse_keyword(const struct ts_instance *self, struct tsim *sim,
+				     const struct ts_word *word)
+{
+	struct ts_suggest suggest = ts_suggest_start(word->text);
+
+	for (const struct ts_arg *row = self->style->args; row->type != TS_ARG_END; row++)
+		if (!(row->flags & TS_POSITIONAL))
+			ts_suggest_try(&suggest, row->name);
+	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "fix wall/gran: unknown keyword '%s'%s",
+		       word->text, ts_suggest_text(&suggest));
+}
+
+static enum ts_status parse_numbers(const struct ts_instance *self, struct tsim *sim, struct ts_words words,
+				    size_t first, const char *what, const char *expected, size_t least,
+				    size_t most, double *out)
 {
 	bool good = words.n >= first + least && words.n <= first + most;
 	size_t bad = words.n - 1;
 
+	for (size_t k = first + least; k < words.n; k++)
+		if (!is_position(&words.word[k]))
+			return refuse_keyword(self, sim, &words.word[k]);
 	for (size_t k = first; good && k < words.n; k++) {
 		double *number = &out[k - first];
 
@@ -44,12 +68,13 @@ static enum ts_status parse_numbers(struct tsim *sim, struct ts_words words, siz
 }
 
 /* `zplane z` or, as in LAMMPS, `zplane lo hi` of which either may be NULL. */
-static enum ts_status read_plane(struct ts_primitive_wall *w, struct tsim *sim, int shape)
+static enum ts_status read_plane(const struct ts_instance *self, struct tsim *sim,
+				 struct ts_primitive_wall *w, int shape)
 {
 	double at[MOST];
 	struct ts_words words = w->shape_words[shape];
 
-	TS_TRY(parse_numbers(sim, words, 0, shape_names[shape],
+	TS_TRY(parse_numbers(self, sim, words, 0, shape_names[shape],
 			     "one position, or two of which either may be NULL", 1, MOST, at));
 	w->n = 0;
 	for (size_t k = 0; k < words.n; k++)
@@ -60,12 +85,13 @@ static enum ts_status read_plane(struct ts_primitive_wall *w, struct tsim *sim, 
 }
 
 /* `zcylinder radius x y` or, as in LAMMPS, `zcylinder radius`. */
-static enum ts_status read_cylinder(struct ts_primitive_wall *w, struct tsim *sim, int shape)
+static enum ts_status read_cylinder(const struct ts_instance *self, struct tsim *sim,
+				    struct ts_primitive_wall *w, int shape)
 {
 	struct ts_words words = w->shape_words[shape];
 	double value[3] = { 0 };
 
-	TS_TRY(parse_numbers(sim, words, 0, shape_names[shape],
+	TS_TRY(parse_numbers(self, sim, words, 0, shape_names[shape],
 			     "a radius, or a radius and the centre along the next two axes",
 			     words.n == 1 ? 1 : 3, 3, value));
 	if (!(value[0] > 0))
@@ -115,10 +141,10 @@ static enum ts_status read_shape(struct ts_instance *self, struct tsim *sim, str
 	while (!w->shape_words[shape].n)
 		shape++;
 	if (shape >= TS_XCYLINDER)
-		return read_cylinder(w, sim, shape);
+		return read_cylinder(self, sim, w, shape);
 	if (ts_sim_has_box(sim) && ts_box_periodic(&sim->domain->box, shape) && !w->n)
 		TS_TRY(check_periodic(self, sim, w, shape));
-	return read_plane(w, sim, shape);
+	return read_plane(self, sim, w, shape);
 }
 
 static enum ts_status read_dimension(struct tsim *sim, const struct ts_word *word, const char *what, int *out)
@@ -137,8 +163,8 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim, st
 	w->wiggle_dim = -1;
 	if (w->shear_words.n) {
 		TS_TRY(read_dimension(sim, &w->shear_words.word[0], "shear", &w->shear_dim));
-		TS_TRY(parse_numbers(sim, w->shear_words, 1, "shear", "a dimension and a velocity", 1, 1,
-				     &w->shear));
+		TS_TRY(parse_numbers(self, sim, w->shear_words, 1, "shear", "a dimension and a velocity", 1,
+				     1, &w->shear));
 	}
 	if (!w->wiggle_words.n)
 		return TS_OK;
@@ -146,8 +172,8 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim, st
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "wiggle"),
 			       "fix wall/gran: either wiggle or shear");
 	TS_TRY(read_dimension(sim, &w->wiggle_words.word[0], "wiggle", &w->wiggle_dim));
-	TS_TRY(parse_numbers(sim, w->wiggle_words, 1, "wiggle", "a dimension, an amplitude and a period", 2,
-			     2, value));
+	TS_TRY(parse_numbers(self, sim, w->wiggle_words, 1, "wiggle",
+			     "a dimension, an amplitude and a period", 2, 2, value));
 	w->amplitude = value[0];
 	w->period = value[1];
 	if (!(w->period > 0))

@@ -427,4 +427,53 @@ fix m all nve
 timestep 1e-3
 run 1
 print 'is acceleration \$(fz[1]/mass[1]) \$(0.37/(PI/6*0.01^3*(2385+500)))'"
+
+# ---- between runs: the void fraction goes with its fix; forces near edges do not depend on how a run is cut
+rejects "$solved
+fix a all void_fraction
+fix b all void_fraction" 'there is one already, fix a'
+prints 'units si
+atom_style sphere
+newton off
+communicate single vel yes
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single .3 .4 .5 units box
+set group all diameter .2 density 2
+velocity all set 1 0 0
+flow_style projection cells 8 8 8 viscosity 0.01 density 1
+fix e all void_fraction
+fix mv all nve/sphere
+compute q all flow/probe .3 .4 .5 .7 .4 .5 values void vx
+timestep 0.001
+run 1
+print "there $(c_q[1][1]<0.99)"
+unfix e
+run 2
+print "gone $(c_q[1][1]) $(c_q[2][1])"
+fix e all void_fraction method kernel
+run 1
+print "no burst $(abs(c_q[1][2])+abs(c_q[2][2])<1e-12)"' 'there 1' 'gone 1 1' 'no burst 1'
+for runs in 'run 4' 'run 3
+run 1'; do
+	echo "units si
+atom_style sphere
+newton off
+communicate single vel yes
+boundary f f p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.93 0.91 0.5 units box
+set group all diameter 0.02 density 1
+flow_style projection cells 4 4 4 viscosity 0.01 density 1
+flow_boundary xhi wall velocity 0 1 0
+fix l all lift/saffman law saffman two_way no
+fix m all added_mass two_way no
+timestep 0.01
+$runs
+print 'forces \$(f_l[1]) \$(f_l[2]) \$(f_m[1]) \$(f_m[2])'" >in.script
+	"$TSIM" -in in.script -log none 2>&1 | grep '^forces' >"forces.${#runs}"
+done
+same 'forces in the corner of a cavity, the run whole and in two' forces.5 forces.11
 finish

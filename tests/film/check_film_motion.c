@@ -158,6 +158,38 @@ START_TEST(two_height_fields)
 }
 END_TEST
 
+/* The gap of two planes is closed by a block of one of them that reaches `into` the other; one of them slides and drags
+ * fluid along, or pushes it: pressure rises by 6 eta U/h^2 from the open end to the block. */
+static struct tsim *closed_gap(double into, int upside_down, int pushes)
+{
+	const char *planes = upside_down ? "lower v_low upper 0" : "lower 0 upper v_high";
+	const char *slides = upside_down != pushes ? "upper_velocity" : "lower_velocity";
+
+	return deck_open("units si\nboundary f f f\nregion box block 0 0.01 0 0.01 -0.001 0.001 units box\n"
+			 "create_box 1 box\nvariable cx internal 0\n"
+			 "variable high equal 1e-5-(v_cx>0.004)*(v_cx<0.006)*(1e-5+%g)\n"
+			 "variable low equal -v_high\n"
+			 "flow_style reynolds cells 100 3 %s set x cx viscosity 0.01 density 1000 %s 1 0 0 "
+			 "touching solid closed ylo yhi\ncompute film all film\ntimestep 1e-5\nrun 0\n",
+			 into, planes, slides);
+}
+
+START_TEST(blocks_that_close_the_gap)
+{
+	const double into[] = { 0, 1e-6, 1e-4 }, rise = 6 * 0.01 * (0.004 - 0.00005) / 1e-10;
+
+	for (int k = 0; k < 12; k++) {
+		struct tsim *sim = closed_gap(into[k % 3], k / 3 % 2, k / 6);
+		double flow = k / 6 ? 1e-7 : 0; /* a block that moves pushes the fluid out */
+
+		DECK_NEAR(deck_value(sim, "c_film[4]") / rise, 1, 1e-12);
+		DECK_NEAR(deck_value(sim, "c_film[14]"), -flow, 1e-20);
+		DECK_NEAR(deck_value(sim, "c_film[15]"), flow, 1e-20);
+		tsim_close(sim);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("film_motion");
@@ -167,6 +199,7 @@ int main(void)
 	tcase_add_test(tcase, moving_observers);
 	tcase_add_test(tcase, steps_that_move);
 	tcase_add_test(tcase, two_height_fields);
+	tcase_add_test(tcase, blocks_that_close_the_gap);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
 }

@@ -62,7 +62,7 @@ print \"touching \$(c_sum)\"" 'touching 0'
 # LIGGGHTS sees no place but says so; particles that found none are counted
 prints "$scene
 $pack maxattempt 2 region bed volumefraction_region 0.4
-run 1" '*less insertions than requested: 224 of 475 particles found a place at step 1 with 2 tries each'
+run 1" '*fewer insertions than requested: 224 of 475 particles found a place at step 1 with 2 tries each'
 
 # a region that two fixes share, one event and many, a start, nothing overlaps the old ones
 prints "$scene

@@ -44,7 +44,7 @@ print \"two \$(f_rain)\"" '*need 3497 steps to leave the region' '*Particle inse
 prints "$box
 $down
 $rain diam one 0.1 vol 0.7 1 region tube
-run 1" '*less insertions than requested'
+run 1" '*fewer insertions than requested'
 # the region rises
 prints "$box
 $down

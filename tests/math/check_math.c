@@ -5,6 +5,7 @@
 
 #include "asserts.h"
 #include "base/sort.h"
+#include "math/fit.h"
 #include "math/exactsum.h"
 #include "math/rng.h"
 #include "math/vec3.h"
@@ -288,6 +289,47 @@ START_TEST(pairs_found)
 }
 END_TEST
 
+/* Deviations from a line that follow x(k + 1) = 0.9 x(k) + noise: 2 tau = (1 + 0.9)/(1 - 0.9), and the scatter of the
+ * slopes of many series is that of the estimate. */
+START_TEST(correlated_deviations)
+{
+	enum { SERIES = 400, N = 2000 };
+	struct ts_rng rng = ts_rng_start(5, 7);
+	double y[N], mean_factor = 0, mean_error = 0, scatter = 0;
+
+	for (int s = 0; s < SERIES; s++) {
+		struct ts_fit line;
+		double x = 0;
+
+		for (int k = -200; k < N; k++) {
+			x = 0.9 * x + ts_rng_uniform(&rng) - 0.5;
+			if (k >= 0)
+				y[k] = 3 + 0.01 * k + x;
+		}
+		ck_assert_int_eq(ts_fit_line(NULL, y, N, &line), TS_OK);
+		mean_factor += ts_fit_correlation(y, &line) / SERIES;
+		mean_error += line.slope_error * ts_fit_correlation(y, &line) / SERIES;
+		scatter += pow(line.slope - 0.01, 2) / SERIES;
+	}
+	ck_assert_double_eq_tol(mean_factor, sqrt(1.9 / 0.1), 0.1 * sqrt(19));
+	ck_assert_double_eq_tol(mean_error / sqrt(scatter), 1, 0.12);
+}
+END_TEST
+
+/* Independent ones: the factor is 1 but for noise. */
+START_TEST(independent_deviations)
+{
+	struct ts_rng rng = ts_rng_start(9, 1);
+	struct ts_fit line;
+	double y[5000];
+
+	for (int k = 0; k < 5000; k++)
+		y[k] = ts_rng_uniform(&rng) - 0.2 * k;
+	ck_assert_int_eq(ts_fit_line(NULL, y, 5000, &line), TS_OK);
+	ck_assert_double_eq_tol(ts_fit_correlation(y, &line), 1, 0.05);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("math");
@@ -295,6 +337,8 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
+	tcase_add_test(tests, correlated_deviations);
+	tcase_add_test(tests, independent_deviations);
 	tcase_add_test(tests, philox_known_answers);
 	tcase_add_test(tests, rng_moments);
 	tcase_add_test(tests, rng_is_a_function);

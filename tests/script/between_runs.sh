@@ -131,6 +131,46 @@ reset_timestep 11
 run 0
 print "broken $(brokenbonds) listed $(c_r)"' 'broken 1 listed 0'
 
+# ---- what a new run notices: forces are recomputed if what they depend on has changed
+pair="$box
+$materials
+$(grains 0.5,0.5,0.5 0.599,0.5,0.5)
+timestep 1e-6
+fix i all nve/sphere"
+for change in 'fix m1 all property/global youngsModulus peratomtype 2e7' \
+	'unfix m1
+fix other all property/global youngsModulus peratomtype 2e7'; do
+	prints "$pair
+run 0
+variable f equal \$(fx[2])
+$change
+run 0
+print \"ratio \$(fx[2]/v_f:%.12g)\"" 'ratio 4'
+done
+prints "$pair
+run 10
+variable a equal \$(vx[2])
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+run 10
+variable b equal \$(vx[2])
+clear
+$pair
+run 20
+print \"the same number again changes nothing \$(vx[2]==v_b)\"" '*the same number again changes nothing 1'
+prints "$box
+$(grains 0.5,0.5,0.5)
+variable k equal 1
+variable a atom type*v_k
+fix f all addforce v_a 0 0
+run 0
+print \"first \$(fx[1])\"
+variable k equal 3
+run 0
+print \"then \$(fx[1])\"
+variable a atom type*5
+run 0
+print \"last \$(fx[1])\"" 'first 1' 'then 3' 'last 5'
+
 # ---- rigid bodies follow their members
 body="$box
 $(grains 0.5,0.5,0.5 0.55,0.5,0.5)
