@@ -33,7 +33,7 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 
 	if (isnan(c->poisson) == isnan(c->shear_modulus))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "bond_coeff: expected either nu, the ratio of Poisson, or G, the shear "
+			       "bond_coeff: expected either nu, Poisson's ratio, or G, the shear "
 			       "modulus");
 	if (c->yield >= c->modulus)
 		return ts_fail(&sim->error, TS_RANGE, where,
@@ -74,7 +74,7 @@ static const struct ts_arg coeff_rows[] = {
 	TS_REAL("E", struct coeff, modulus, .range = TS_POSITIVE, .unit = "pressure",
 		.help = "Young's modulus"),
 	TS_REAL("nu", struct coeff, poisson, .flags = TS_OPTIONAL, .range = TS_WITHIN, .lo = 0, .hi = 0.5,
-		.unit = "", .help = "ratio of Poisson: G = E/(2 (1 + nu)); instead of G"),
+		.unit = "", .help = "Poisson's ratio: G = E/(2 (1 + nu)); instead of G"),
 	TS_REAL("G", struct coeff, shear_modulus, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 		.unit = "pressure", .help = "shear modulus; instead of nu"),
 	TS_REAL("kappa", struct coeff, kappa, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "",
@@ -112,7 +112,7 @@ const struct ts_bond_style ts_bond_beam = {
 	.style = { .name = "beam",
 		   .kind = TS_KIND_BOND,
 		   .ranks = TS_RANKS_OWN,
-		   .summary = "a beam of Timoshenko with circular section between two centres",
+		   .summary = "Timoshenko beam with circular section between two centres",
 		   .doc = "A beam from centre to centre, of radius R = lambda min(R_a, R_b) and length l, "
 			  "the distance when the bond was created. The element is the cubic one of "
 			  "Timoshenko in a frame that moves with the beam (co-rotational):\n\n"

@@ -135,6 +135,8 @@ enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
 {
 	bool tried = false, done = false;
 
+	if (sim->reading.faults != plan->faults) /* styles whose init has failed can neither act nor be judged */
+		return TS_OK;
 	TS_TRY(find_resuming(sim));
 	if (is_apart(sim))
 		TS_TRY(begin_apart(plan, sim, &tried));
@@ -148,8 +150,6 @@ enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
 		return ts_plan_first_forces(plan, sim, false);
 	if (!tried)
 		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
-	if (sim->reading.faults != plan->faults) /* a style that is not set up cannot be judged */
-		return TS_OK;
 	TS_TRY(ts_review_scene(sim, steps_to_go(sim)));
 	TS_TRY(sim->tables->judge(plan, sim, steps_to_go(sim)));
 	if (sim->reading.explain)

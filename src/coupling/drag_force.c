@@ -30,10 +30,8 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s needs a fluid with a density: give flow_style %s one", name,
 			       s->flow->style->name);
-	if (style->inertial && !(flow->viscosity(s->flow) > 0))
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s needs a fluid with a viscosity: give flow_style %s one", name,
-			       s->flow->style->name);
+	if (style->inertial)
+		TS_TRY(ts_flow_require_viscosity(sim, self, s->flow));
 	if (style->crowded && isnan(s->fraction) &&
 	    !(s->fluid && s->fluid->void_fraction && ts_flow_part_named(sim, "void_fraction", &k)))
 		return ts_fail(&sim->error, TS_STATE, &self->where,

@@ -36,6 +36,14 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 	}
 }
 
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	TS_TRY(ts_coupling_force_init(self, sim));
+	return s->law == OESTERLE ? ts_flow_require_viscosity(sim, self, s->force.flow) : TS_OK;
+}
+
 static const struct ts_arg args[] = {
 	TS_ENUM("law", struct state, law, laws, .fallback = "oesterle",
 		.help = "lift coefficient: for small Reynolds numbers, or a fit for larger ones"),
@@ -63,7 +71,7 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 		.args = args,
 		.state_size = sizeof(struct state),
 		.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
-		.init = ts_coupling_force_init,
+		.init = init,
 		.archive = ts_coupling_force_archive,
 		.fini = ts_coupling_force_fini,
 		TS_COUPLING_FORCE_SLOTS,

@@ -54,6 +54,16 @@ struct ts_fluid *ts_flow_fluid(const struct tsim *sim)
 	return flow && ts_flow_style_of(flow)->fluid ? ts_flow_style_of(flow)->fluid(flow) : NULL;
 }
 
+enum ts_status ts_flow_require_viscosity(struct tsim *sim, const struct ts_instance *fix,
+					 const struct ts_instance *flow)
+{
+	if (ts_flow_style_of(flow)->viscosity(flow) > 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &fix->where,
+		       "fix %s needs a fluid with a viscosity: give flow_style %s one", fix->style->name,
+		       flow->style->name);
+}
+
 const struct ts_instance *ts_flow_part_named(const struct tsim *sim, const char *style, size_t *k)
 {
 	const struct ts_instance *inst;

@@ -45,6 +45,9 @@ extern const struct ts_system_style ts_flow_system;
 
 /* The same; NULL in place of an error. */
 struct ts_fluid *ts_flow_fluid(const struct tsim *sim);
+/* Fails, in the name of a fix, if the fluid of this flow style has no viscosity. */
+enum ts_status ts_flow_require_viscosity(struct tsim *sim, const struct ts_instance *fix,
+					 const struct ts_instance *flow);
 /* Iterates over the fixes of a style that take part in the steps of the fluid: start with *k = 0; NULL at
  * the end. */
 const struct ts_instance *ts_flow_part_named(const struct tsim *sim, const char *style, size_t *k);

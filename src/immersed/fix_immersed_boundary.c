@@ -3,11 +3,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "core/report.h"
 #include "flow/flow.h"
 #include "flow/flow_arguments.h"
 #include "flow/fluid_slabs.h"
 #include "force/restraint.h"
+#include "group/group_members.h"
 #include "immersed/closed_regions.h"
 #include "immersed/immersed.h"
 #include "immersed/immersed_spheres.h"
@@ -145,10 +147,26 @@ static enum ts_status make_columns(struct ts_instance *self, struct tsim *sim, i
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
 
+/* Each of two fixes would add the force of the fluid on a particle. */
+static enum ts_status refuse_same_spheres(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_instance *other;
+
+	for (size_t k = 0; (other = ts_flow_part_named(sim, "immersed/boundary", &k));)
+		if (!ts_streq(other->id, self->id) && ((const struct state *)other->state)->body == SPHERES &&
+		    ts_ranks_most(sim, ts_groups_meet(sim->particles, other->group, self->group)) > 0)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix immersed/boundary: fix %s (%s:%d) has particles of this group "
+				       "already: the fluid would act on them twice",
+				       other->id, TS_FILE_AND_LINE(other->where));
+	return TS_OK;
+}
+
 static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, int dimensions)
 {
 	struct state *s = self->state;
 
+	TS_TRY(refuse_same_spheres(self, sim));
 	TS_TRY(ts_immersed_spheres_prepare(&s->spheres, sim, self));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
 	s->solid = ts_solid_of_spheres(self->group, dimensions);

@@ -33,11 +33,12 @@ static bool is_variant(const struct ts_value *values, const struct ts_value *v)
 
 static void add_values(const struct ts_style *style, bool markdown, struct ts_str *out)
 {
-	static const char *const shapes[] = {
-		[TS_SCALAR] = "a number",	    [TS_VECTOR] = "a list of numbers",
-		[TS_PERATOM] = "one per particle",  [TS_LOCAL] = "rows for dump local",
-		[TS_ARRAY] = "a table, c_ID[i][j]", [TS_SURFACE] = "a row for each triangle"
-	};
+	static const char *const shapes[] = { [TS_SCALAR] = "a number",
+					      [TS_VECTOR] = "a list of numbers",
+					      [TS_PERATOM] = "one per particle",
+					      [TS_LOCAL] = "rows for dump local",
+					      [TS_ARRAY] = "a table",
+					      [TS_SURFACE] = "a row for each triangle" };
 	struct ts_str name = { 0 }, text = { 0 };
 
 	if (!style->values || !style->values->name)

@@ -47,7 +47,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_ENUM("lost", struct state, lost, policies, .flags = TS_OPTIONAL,
-		.help = "what to do when a particle leaves the box through a fixed face"),
+		.help = "what to do when a particle leaves the box through a fixed face; default: warn"),
 	TS_ENUM("lost/bond", struct state, lost_bond, policies, .flags = TS_OPTIONAL,
 		.help = "no effect: bonds are deleted with their particles"),
 	TS_ENUM("norm", struct state, norm, answers, .flags = TS_OPTIONAL,
