@@ -3,6 +3,7 @@
 
 #include "average/chunk.h"
 #include "bed/mixing_samples.h"
+#include "particle/group_moments.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -57,13 +58,16 @@ static enum ts_status list_members(struct ts_instance *self, size_t *n, size_t *
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_mixing_member m = { .tag = p->tag[i], .row = (int32_t)i };
+		double x[3];
+		int32_t image[3];
 
 		if (!ts_in_group(p, i, self->group) || (chunks && chunks->id[i] == 0))
 			continue;
 		if (chunks)
 			m.key[0] = chunks->id[i];
+		ts_wrapped(sim, i, x, image);
 		for (int d = 0; !chunks && d < sim->dimension; d++)
-			m.key[d] = floor((p->x[i][d] - s->origin[d]) / s->cell);
+			m.key[d] = floor((x[d] - s->origin[d]) / s->cell);
 		s->member[(*n)++] = m;
 	}
 	return TS_OK;

@@ -186,6 +186,16 @@ static void add_walls(struct ts_instance *self, const struct state *s, struct su
 		}
 }
 
+/* Whether the centre of particle i is in the region. */
+static bool holds(const struct tsim *sim, const struct state *s, size_t i)
+{
+	int32_t image[3];
+	double x[3];
+
+	ts_wrapped(sim, i, x, image);
+	return ts_region_contains(s->region, x);
+}
+
 struct motion {
 	const struct state *s;
 	double mean[3];
@@ -195,7 +205,7 @@ static void mass_term(const struct tsim *sim, size_t i, void *context, double *t
 {
 	const struct motion *m = context;
 	const struct ts_particles *p = sim->particles;
-	double mass = ts_region_contains(m->s->region, p->x[i]) ? p->mass[i] : 0;
+	double mass = holds(sim, m->s, i) ? p->mass[i] : 0;
 
 	term[0] = mass;
 	for (int d = 0; d < 3; d++)
@@ -206,7 +216,7 @@ static void flux_term(const struct tsim *sim, size_t i, void *context, double *t
 {
 	const struct motion *m = context;
 	const struct ts_particles *p = sim->particles;
-	double mass = ts_region_contains(m->s->region, p->x[i]) ? p->mass[i] : 0, v[3];
+	double mass = holds(sim, m->s, i) ? p->mass[i] : 0, v[3];
 
 	for (int d = 0; d < 3; d++)
 		v[d] = p->v[i][d] - m->mean[d];

@@ -5,6 +5,7 @@
 #include "base/sort.h"
 #include "math/exactsum.h"
 #include "math/vec3.h"
+#include "particle/group_moments.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 
@@ -54,12 +55,15 @@ static void list_grains(const struct tsim *sim, int group, double column, struct
 	s->n = 0;
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_bed_grain g = { .tag = p->tag[i] };
-		double height = ts_dot(p->x[i], s->frame.up);
+		double x[3], height;
+		int32_t image[3];
 
 		if (!ts_in_group(p, i, group))
 			continue;
+		ts_wrapped(sim, i, x, image);
+		height = ts_dot(x, s->frame.up);
 		for (int d = 0; d < s->frame.sides; d++)
-			g.side[d] = ts_dot(p->x[i], s->frame.side[d]);
+			g.side[d] = ts_dot(x, s->frame.side[d]);
 		g.height = height + p->radius[i];
 		g.bottom = height - p->radius[i];
 		ts_exactsum_add(&radii, p->radius[i]);

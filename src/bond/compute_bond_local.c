@@ -120,11 +120,22 @@ static bool is_in_group(const struct ts_instance *self, const struct tsim *sim, 
 	       ts_in_group(sim->particles, (size_t)row[1], self->group);
 }
 
+static enum ts_status require_bond_style(struct tsim *sim, const struct ts_instance *self)
+{
+	const struct ts_instance *style = ts_sim_only(sim, TS_KIND_BOND);
+
+	if (!sim->bonds->n || (style && ((const struct ts_bond *)style->state)->coeffs.n))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "compute bond/local: there is no bond_style with bond_coeff");
+}
+
 static enum ts_status eval_list(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	size_t rows = sim->bonds->n, n = 0;
 
+	TS_TRY(require_bond_style(s->sim, self));
 	TS_TRY(ts_contacts_require(s->sim, self));
 	TS_TRY(ts_table_resize(out, rows, s->list.n));
 	for (size_t r = 0; r < rows; r++) {

@@ -29,7 +29,10 @@ static bool contacts_current(const struct ts_contact_list *list, const struct ts
 
 bool ts_contacts_current(const struct tsim *sim)
 {
-	return contacts_current(&sim->neigh->contacts, sim->particles);
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+
+	return sim->neigh->contacts.pair == (pair ? pair->serial : 0) &&
+	       contacts_current(&sim->neigh->contacts, sim->particles);
 }
 
 static bool bonds_current(const struct ts_bonds *bonds, const struct ts_particles *p)
@@ -52,9 +55,9 @@ enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *s
 	if ((!rows_wanted || ts_contacts_current(sim)) && bonds_current(sim->bonds, sim->particles))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "%s %s %s: contacts are known only after a run, and not if particles have been added "
-		       "or deleted since; `run 0` finds them",
-		       ts_kind_name(self->style->kind), self->id, self->style->name);
+		       "%s %s%s%s: contacts are known only after a run, and not if particles have been added "
+		       "or deleted since, or there is a new pair_style; `run 0` finds them",
+		       ts_kind_name(self->style->kind), self->id, self->id[0] ? " " : "", self->style->name);
 }
 
 enum ts_status ts_contacts_kept(struct tsim *sim, const struct ts_instance *self)
@@ -66,8 +69,9 @@ enum ts_status ts_contacts_kept(struct tsim *sim, const struct ts_instance *self
 	if (list->results == TS_RESULTS_KEPT)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "%s %s %s: forces of contacts were not kept at step %" PRId64 "; `run 0` finds them",
-		       ts_kind_name(self->style->kind), self->id, self->style->name, sim->clock.step);
+		       "%s %s%s%s: forces of contacts were not kept at step %" PRId64 "; `run 0` finds them",
+		       ts_kind_name(self->style->kind), self->id, self->id[0] ? " " : "", self->style->name,
+		       sim->clock.step);
 }
 
 enum ts_status ts_contacts_forces(struct tsim *sim, const struct ts_instance *self)

@@ -88,6 +88,12 @@ enum ts_status ts_virial_now(struct tsim *sim, const struct ts_instance *self,
 	if (!sim->run.looks) {
 		if (self)
 			TS_TRY(ts_contacts_forces(sim, self));
+		else if (ts_sim_only(sim, TS_KIND_BOND))
+			TS_TRY(ts_contacts_require(sim, ts_sim_only(sim, TS_KIND_BOND)));
+		if (sim->bonds->n && !sim->bonds->gather.first)
+			return ts_fail(&sim->error, TS_STATE, NULL,
+				       "the pressure is not known before the first run: forces of bonds are "
+				       "missing");
 		ts_virial_total(sim, parts, out);
 		return TS_OK;
 	}

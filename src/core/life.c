@@ -188,6 +188,8 @@ static enum ts_status init_new_instance(struct tsim *sim, struct ts_instance *in
 	enum ts_kind kind = inst->style->kind;
 
 	sim->columns |= inst->style->columns;
+	inst->serial = ++sim->instances_made;
+	inst->removals = sim->removals;
 	for (size_t k = 0; k < systems->n; k++)
 		if (systems->item[k]->style->init)
 			TS_TRY(systems->item[k]->style->init(systems->item[k], sim));

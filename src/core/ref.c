@@ -162,16 +162,17 @@ enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct t
 {
 	const char *keyword = standard_keyword(sim, name);
 
-	*ref = (struct ts_ref){ .name = name, .removals = sim->removals };
-	if (keyword)
-		return resolve_keyword(sim, keyword, where, ref);
-	if (strncmp(name, "c_", 2) == 0)
-		return resolve_instance(sim, name, TS_KIND_COMPUTE, where, ref);
-	if (strncmp(name, "f_", 2) == 0)
-		return resolve_instance(sim, name, TS_KIND_FIX, where, ref);
-	if (strncmp(name, "v_", 2) == 0)
-		return resolve_variable(sim, name + 2, where, ref);
-	return resolve_keyword(sim, name, where, ref);
+	*ref = (struct ts_ref){ .name = name, .removals = sim->removals - 1 }; /* not yet resolved */
+	if (!keyword && strncmp(name, "c_", 2) == 0)
+		TS_TRY(resolve_instance(sim, name, TS_KIND_COMPUTE, where, ref));
+	else if (!keyword && strncmp(name, "f_", 2) == 0)
+		TS_TRY(resolve_instance(sim, name, TS_KIND_FIX, where, ref));
+	else if (!keyword && strncmp(name, "v_", 2) == 0)
+		TS_TRY(resolve_variable(sim, name + 2, where, ref));
+	else
+		TS_TRY(resolve_keyword(sim, keyword ? keyword : name, where, ref));
+	ref->removals = sim->removals;
+	return TS_OK;
 }
 
 /* Resolves the ref again if an instance has been deleted since it was resolved. */
@@ -338,6 +339,13 @@ static enum ts_status scalar_of_variable(struct tsim *sim, const struct ts_ref *
 	return status;
 }
 
+static enum ts_status fail_peratom(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
+{
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "'%s' has a value for each particle, one number is needed here; see compute reduce",
+		       ref->name);
+}
+
 enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 			     double *out)
 {
@@ -349,25 +357,30 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const s
 	case TS_REF_VARIABLE:
 		return scalar_of_variable(sim, ref, where, out);
 	case TS_REF_COLUMN:
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "'%s' has a value for each particle, one number is needed here; see compute "
-			       "reduce",
-			       ref->name);
+		return fail_peratom(sim, ref, where);
 	case TS_REF_COMPUTE:
 	case TS_REF_FIX:
 		break;
 	}
 	TS_TRY(refresh_ref(sim, ref, where, &now));
+	if (!now.inst)
+		return fail_peratom(sim, ref, where);
 	return now.column ? element_of_array(sim, &now, where, out)
 			  : scalar_of_instance(sim, &now, where, out);
 }
 
 enum ts_status ts_ref_check(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
 {
+	const struct ts_script_api *api = sim->script_api;
+	void *data = sim->script_api_data;
+
 	if (ref->kind != TS_REF_VARIABLE)
 		return TS_OK;
-	return sim->script_api->check_variable(sim->script_api_data, ref->variable,
-					       ref->index ? TS_VECTOR : TS_SCALAR, where);
+	return api->check_variable(data, ref->variable,
+				   api->is_vector(data, ref->variable)	  ? TS_VECTOR
+				   : api->is_peratom(data, ref->variable) ? TS_PERATOM
+									  : TS_SCALAR,
+				   where);
 }
 
 static enum ts_status copy_column(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
@@ -423,12 +436,12 @@ enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref, const 
 
 	if (ref->kind != TS_REF_VARIABLE)
 		TS_TRY(refresh_ref(sim, ref, where, &now));
+	if (ref->kind != TS_REF_VARIABLE && now.kind == TS_REF_COLUMN)
+		return ts_quantity_eval(sim, now.quantity, out);
 	if (!(ts_ref_shapes(sim, ref) & (1u << TS_PERATOM)))
 		return repeat_scalar(sim, ref, where, out);
 	if (ref->kind == TS_REF_VARIABLE)
 		return sim->script_api->peratom(sim->script_api_data, ref->variable, where, out);
-	if (now.kind == TS_REF_COLUMN)
-		return ts_quantity_eval(sim, now.quantity, out);
 	return copy_column(sim, &now, where, TS_PERATOM, out);
 }
 

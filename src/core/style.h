@@ -256,7 +256,9 @@ struct ts_instance {
 	struct ts_table table;	       /* values of its last evaluated output */
 	const struct ts_value *cached; /* the output in `table`; valid while sim->run.epoch == cached_epoch */
 	uint64_t cached_epoch;
-	int64_t every;	    /* dumps: interval in steps */
+	uint64_t serial;   /* number of the instance, from 1 */
+	uint64_t removals; /* sim->removals at its last init: what it points to may have been deleted since */
+	int64_t every;	   /* dumps: interval in steps */
 	bool counts_energy; /* fixes: fix_modify energy yes */
 };
 

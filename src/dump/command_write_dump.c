@@ -31,6 +31,7 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	const struct ts_style *style;
 	struct ts_words words;
 	struct ts_instance *dump;
+	struct ts_error error;
 	enum ts_status status;
 
 	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &s->rest.word[0], &style));
@@ -38,11 +39,15 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
 	status = ts_dump_modify_words(sim, "write_dump modify", dump, s->modify, arena, where);
 	((struct ts_dump_common *)dump->state)->single = !((struct ts_dump_common *)dump->state)->append;
+	((struct ts_dump_common *)dump->state)->once = true;
 	if (status == TS_OK && !sim->reading.explain)
 		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
-	if (status != TS_OK)
-		return status;
-	return ts_sim_destroy(sim, TS_KIND_DUMP, &id);
+	if (status == TS_OK)
+		return ts_sim_destroy(sim, TS_KIND_DUMP, &id);
+	error = sim->error;
+	ts_sim_destroy(sim, TS_KIND_DUMP, &id);
+	sim->error = error; /* the first one */
+	return status;
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)

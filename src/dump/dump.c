@@ -63,6 +63,7 @@ enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due
 		TS_TRY(evaluate_next_step(self, sim));
 	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&
 	       !(d->frames && d->last == step);
+	*due |= d->once; /* write_dump */
 	if (*due) {
 		d->last = step;
 		d->frames++;
@@ -92,7 +93,7 @@ void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what
 	static const char letter[] = "pfsm"; /* in the order of enum ts_face */
 	const struct ts_box *box = &sim->domain->box;
 
-	if (d->units && d->frames == 1)
+	if (d->units && (d->frames == 1 || one_file_per_frame(d)))
 		ts_str_addf(&d->text, "ITEM: UNITS\n%s\n", ts_units_name(sim->units));
 	if (d->time)
 		ts_str_addf(&d->text, "ITEM: TIME\n%.16g\n", ts_sim_time(sim));
@@ -117,7 +118,7 @@ enum ts_status ts_dump_keep_latest(struct ts_dump_common *d, struct tsim *sim)
 
 	if (!slot || sim->reading.explain)
 		return TS_OK;
-	if (*slot)
+	if (*slot && !ts_streq(*slot, ts_str_text(&d->path))) /* written again after reset_timestep */
 		ts_files_remove(&sim->files, *slot);
 	ts_free(*slot);
 	*slot = ts_strdup(ts_str_text(&d->path));

@@ -12,9 +12,10 @@
 /* One column of a dump of particles or of local rows. */
 struct ts_dump_column {
 	struct ts_ref_input input;
-	bool index;   /* column `index`: number of the row; input has only name and place */
-	bool integer; /* written with an integer format */
-	bool element; /* column `element`: name of the type */
+	size_t number; /* as written in the script, from 1: dumps may have another order */
+	bool index;    /* column `index`: number of the row; input has only name and place */
+	bool integer;  /* written with an integer format */
+	bool element;  /* column `element`: name of the type */
 	char format[TS_FORMAT_SIZE];
 	struct ts_table values; /* a row for each particle or local row */
 	ts_quantity_fn *direct; /* evaluated row by row instead; or NULL */
@@ -40,8 +41,10 @@ struct ts_dump_common {
 	struct ts_words element;	     /* names of the types */
 	struct ts_dump_threshold *threshold; /* [nthresholds] conditions; all must hold */
 	size_t nthresholds;
-	bool headless;	 /* `header no`: rows only */
-	bool single;	 /* the only frame of its file, as with `*` in the name */
+	bool headless; /* `header no`: rows only */
+	bool single;   /* the only frame of its file, as with `*` in the name */
+	bool in_order; /* its file has frames in the order of their steps: a frame replaces those of later steps */
+	bool once;	 /* of write_dump: due whatever `every` and `delay` say */
 	size_t restored; /* number of LAST columns read from a restart file */
 	char **old;	 /* [nold] `maxfiles`: ring buffer of names of the latest files */
 	int64_t nold;

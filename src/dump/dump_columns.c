@@ -46,9 +46,11 @@ static enum ts_status name_columns(struct ts_instance *self, struct tsim *sim, s
 	d->column = ts_arena_alloc(&self->arena, all.n, sizeof *d->column);
 	if (!d->column)
 		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < all.n; k++)
+	for (size_t k = 0; k < all.n; k++) {
 		d->column[k].input =
 			(struct ts_ref_input){ .name = all.word[k].text, .where = all.word[k].place };
+		d->column[k].number = k + 1;
+	}
 	d->ncolumns = all.n;
 	return TS_OK;
 }

@@ -190,6 +190,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->element)
 		TS_TRY(read_words(self, sim));
 	TS_TRY(check_sharing(self, sim));
+	s->common.in_order = !strchr(s->common.file, '*');
 	return ts_dump_columns(self, sim, s->names, false);
 }
 

@@ -207,6 +207,12 @@ static int compare(const void *a, const void *b, void *context)
 	return (by->tag[i] > by->tag[j]) - (by->tag[i] < by->tag[j]);
 }
 
+/* Whether rows are sorted by this column. */
+static bool sorts(const struct ts_dump_common *d, const struct ts_dump_column *c)
+{
+	return c->number == (size_t)(d->sort_by < 0 ? -d->sort_by : d->sort_by);
+}
+
 static enum ts_status sort(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_dump_common *d = self->state;
@@ -217,8 +223,9 @@ static enum ts_status sort(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "dump %s: sort by column %lld, but there are %zu", self->id, (long long)column,
 			       d->ncolumns);
-	if (column)
-		by.value = d->column[column - 1].values.data;
+	for (size_t k = 0; column && k < d->ncolumns; k++)
+		if (sorts(d, &d->column[k]))
+			by.value = d->column[k].values.data;
 	if (!d->unsorted && d->nrows)
 		qsort_r(d->order, d->nrows, sizeof *d->order, compare, &by);
 	return TS_OK;
@@ -328,12 +335,10 @@ double ts_dump_value(const struct tsim *sim, const struct ts_dump_column *c, siz
 /* `by_row`: built-in quantities are evaluated when they are written, except the one by which rows are sorted. */
 static enum ts_status evaluate_columns(struct ts_dump_common *d, struct tsim *sim, bool by_row)
 {
-	size_t sorted = (size_t)(d->sort_by < 0 ? -d->sort_by : d->sort_by);
-
 	for (size_t k = 0; k < d->ncolumns; k++) {
 		struct ts_dump_column *c = &d->column[k];
 
-		c->direct = by_row && k + 1 != sorted && !c->element && !c->index && c->input.quantity
+		c->direct = by_row && !sorts(d, c) && !c->element && !c->index && c->input.quantity
 				    ? ts_particles_quantity_fn(sim, c->input.name)
 				    : NULL;
 		if (!c->direct)

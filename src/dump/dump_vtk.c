@@ -45,6 +45,7 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp, .pvtu or "
 			       ".vtkhdf, found '%s'",
 			       self->style->name, file);
+	((struct ts_dump_vtk *)self->state)->common.in_order = ts_vtk_has_all_frames(file);
 	return ts_vtk_has_all_frames(file) ? check_all_frames(self, sim) : TS_OK;
 }
 

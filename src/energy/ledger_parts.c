@@ -383,6 +383,8 @@ enum ts_status ts_ledger_account_bonds(struct tsim *sim, struct ts_ledger *l)
 				     entry = { .post = post_bonds, .n = TS_BOND_MODES };
 	struct ts_exactsum sum[TS_BOND_MODES];
 
+	if (!ts_sim_only(sim, TS_KIND_BOND)) /* bond_style none: bonds exert no force */
+		return TS_OK;
 	for (int mode = 0; mode < TS_BOND_MODES; mode++)
 		sum[mode] = ts_exactsum_start();
 	if (l->stepping) {

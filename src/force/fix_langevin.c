@@ -61,7 +61,8 @@ static void random_force(const struct state *s, const struct tsim *sim, double k
 	double damp = damping_time(s, p, i);
 	double amplitude = sqrt(24 * kt * p->mass[i] / (damp * sim->clock.dt));
 
-	rng.counter = 3 * (uint64_t)sim->clock.step;
+	/* after reset_timestep other numbers in the steps of the same number */
+	rng.counter = 3 * (uint64_t)sim->clock.step + ((uint64_t)sim->era << 56);
 	for (int k = 0; k < 3; k++)
 		f[k] = k < sim->dimension ? amplitude * (ts_rng_uniform(&rng) - 0.5) : 0;
 }

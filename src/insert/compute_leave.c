@@ -1,5 +1,6 @@
 /* Compute leave: counts particles that leave a region. */
 #include "particle/columns.h"
+#include "particle/group_moments.h"
 #include "particle/particles.h"
 #include "particle/rank_sums.h"
 #include "region/region.h"
@@ -45,7 +46,12 @@ static enum ts_status count_entries(struct ts_instance *self, struct tsim *sim)
 	s->parted = sim->division != NULL;
 	*now = 0;
 	for (size_t i = 0; i < p->n; i++) {
-		bool inside = ts_in_group(p, i, self->group) && ts_region_contains(s->region, p->x[i]);
+		bool inside = ts_in_group(p, i, self->group);
+		int32_t image[3];
+		double x[3];
+
+		ts_wrapped(sim, i, x, image);
+		inside = inside && ts_region_contains(s->region, x);
 
 		*seen += inside && flag[i] == 0;
 		*now += inside;

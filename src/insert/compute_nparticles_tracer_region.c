@@ -4,6 +4,8 @@
 #include "math/exactsum.h"
 #include "region/region.h"
 
+#include "particle/group_moments.h"
+
 #include "base/banned.h"
 
 enum { NUMBER, MARKED, MASS, MARKED_MASS, NVALUES };
@@ -62,12 +64,15 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_tracer_require(sim, &tracer, &s->tracer);
 }
 
-static bool is_counted(const struct ts_instance *self, const struct ts_particles *p, size_t i)
+static bool is_counted(const struct ts_instance *self, const struct tsim *sim, size_t i)
 {
 	const struct state *s = self->state;
+	int32_t image[3];
+	double x[3];
 
-	return ts_in_group(p, i, self->group) && (s->dim < 0 || p->image[i][s->dim] == s->image) &&
-	       ts_region_contains(s->region, p->x[i]);
+	ts_wrapped(sim, i, x, image);
+	return ts_in_group(sim->particles, i, self->group) && (s->dim < 0 || image[s->dim] == s->image) &&
+	       ts_region_contains(s->region, x);
 }
 
 static void count_particles(struct ts_instance *self, const struct tsim *sim, double result[NVALUES])
@@ -79,7 +84,7 @@ static void count_particles(struct ts_instance *self, const struct tsim *sim, do
 
 	result[NUMBER] = result[MARKED] = 0;
 	for (size_t i = 0; i < p->n; i++) {
-		if (!is_counted(self, p, i))
+		if (!is_counted(self, sim, i))
 			continue;
 		result[NUMBER]++;
 		ts_exactsum_add(&mass, p->mass[i]);

@@ -234,6 +234,11 @@ enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struc
 
 enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int64_t step, double time)
 {
+	for (size_t k = 0; k < s->n; k++)
+		if (s->step[k] == step) { /* the file is written again, after reset_timestep */
+			s->time[k] = time;
+			return TS_OK;
+		}
 	if (TS_GROW(s->step, s->step_capacity, s->n + 1) != TS_OK ||
 	    TS_GROW(s->time, s->time_capacity, s->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);

@@ -191,8 +191,9 @@ enum { COLUMNS = sizeof names / sizeof *names, TOTALS = 2 };
 
 static enum ts_status eval_elements(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct state *s = self->state;
+	struct state *s = self->state;
 
+	TS_TRY(ts_surface_find_again(&s->surface, s->surface_id, &self->where, s->rows.elements));
 	TS_TRY(ts_table_resize(out, s->rows.elements, COLUMNS));
 	for (size_t k = 0; k < s->rows.elements; k++) {
 		double *to = out->data + k * COLUMNS;

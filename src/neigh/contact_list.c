@@ -189,6 +189,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 				       struct ts_contact_search *found, struct ts_contact_history *old)
 {
 	size_t all = sim->particles->n + sim->particles->nghost;
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct fill_task task = { list, found };
 	bool coincide;
 	double reach;
@@ -210,6 +211,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	list->sums_listed = false;
 	list->skin = found->skin;
 	list->particles = sim->particles->n;
+	list->pair = pair ? pair->serial : 0;
 	list->locals_packed = false;
 	list->displacement = 0;
 	if (all) /* so that the first displacements are computed from defined numbers */
@@ -252,7 +254,8 @@ void ts_contact_list_set_torques(struct ts_contact_list *list, bool turn, bool r
 enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *list, size_t width,
 					   const signed char *sign)
 {
-	list->history_sign = sign;
+	for (size_t k = 0; k < width; k++) /* the pair style may be deleted before the list */
+		list->history_sign[k] = sign[k];
 	if (width == list->history_width)
 		return TS_OK;
 	ts_free(list->history);

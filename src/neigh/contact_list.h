@@ -75,6 +75,8 @@ enum ts_contact_results {
 	TS_RESULTS_KEPT,   /* all: that of pair r in slot ts_contact_kept(list, r) */
 };
 
+enum { TS_HISTORY_MOST = 64 }; /* numbers in the history of a contact */
+
 struct ts_contact_list {
 	size_t n, capacity; /* candidate pairs */
 	/* lists only pairs of two immobile particles (for heat); else only all other pairs */
@@ -117,7 +119,9 @@ struct ts_contact_list {
 	size_t history_width;
 	/* 1 + index of the history number that is > 0 while a liquid bridge exists; 0: no bridges */
 	size_t bridge_column;
-	const signed char *history_sign; /* by history number: factor +1 or -1 when i and j are swapped */
+	/* by history number: factor +1 or -1 when i and j are swapped */
+	signed char history_sign[TS_HISTORY_MOST];
+	uint64_t pair; /* serial number of the pair style for which the list was made; 0: none */
 
 	struct ts_gather gather;	  /* the candidate pairs of each local particle */
 	struct ts_contact_sphere *sphere; /* of all particles, ghosts included, in this step */

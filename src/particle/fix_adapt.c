@@ -329,6 +329,11 @@ static enum ts_status archive_coefficients(struct ts_instance *self, struct tsim
 	double *now = ts_alloc(n, sizeof *now);
 	enum ts_status status;
 
+	if (!ts_sim_only(sim, TS_KIND_PAIR)) {
+		ts_free(now);
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix adapt: the pair style whose coefficients it changes has been deleted");
+	}
 	if (!now)
 		return ts_nomem(&sim->error);
 	for (int i = c->a.lo; i <= c->a.hi; i++)

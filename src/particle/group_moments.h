@@ -16,6 +16,27 @@ static inline void ts_unwrapped(const struct tsim *sim, size_t i, double x[3])
 	ts_unwrap_shear(&sim->domain->box, p->image[i], x);
 }
 
+/* Position of particle i in the box, and its image: between rebuilds of the contact list particles may be beyond a periodic
+ * face. */
+static inline void ts_wrapped(const struct tsim *sim, size_t i, double x[3], int32_t image[3])
+{
+	const struct ts_box *box = &sim->domain->box;
+	const struct ts_particles *p = sim->particles;
+
+	for (int d = 0; d < 3; d++) {
+		x[d] = p->x[i][d];
+		image[d] = p->image[i][d];
+	}
+	for (int d = 0; d < 3; d++) {
+		const int32_t before = image[d];
+
+		if (!ts_box_periodic(box, d) || !ts_box_wrap(box, d, &x[d], &image[d]))
+			continue;
+		if (box->shear.on && d == box->shear.gradient)
+			(void)ts_box_wrap_shear(box, x, image, image[d] - before);
+	}
+}
+
 /* Number and mass of the particles in the group. */
 double ts_group_count(const struct tsim *sim, int group);
 double ts_group_mass(const struct tsim *sim, int group);

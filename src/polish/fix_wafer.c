@@ -672,6 +672,17 @@ static const char doc[] =
 	"message if there is none.\n\n"
 	"Related: fix surface/voxel, flow_style reynolds, compute surface/contact, fix ave/time.";
 
+/* Older files do not have what the film has pushed. */
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+
+	(void)sim;
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "push"))
+		return TS_OK;
+	return ts_archive_fixed(a, "push", TS_SAVED_F64, &s->push, sizeof s->push / sizeof(double));
+}
+
 TS_STYLE(fix, ts_style, ts_fix_wafer)
 const struct ts_style ts_fix_wafer = {
 	.name = "wafer",
@@ -689,6 +700,7 @@ const struct ts_style ts_fix_wafer = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,

@@ -56,10 +56,6 @@ static enum ts_status apply_and_compute(struct tsim *sim, struct rerun *c, struc
 		sim->clock.command_step = sim->clock.goal = f->step;
 		sim->clock.wall_start = ts_clock();
 	}
-	if (!first && f->step <= sim->clock.first_step)
-		return ts_fail(&sim->error, TS_DAMAGED, where,
-			       "'%s': the frame of step %lld comes after one of a later step", f->lines.file,
-			       (long long)f->step);
 	TS_TRY(ts_frames_apply(sim, f, &c->use, where));
 	return compute_frame(sim, plan, first);
 }
@@ -73,7 +69,9 @@ static enum ts_status rerun_file(struct tsim *sim, struct rerun *c, struct ts_pl
 
 	while (status == TS_OK && got && !sim->requests.stop) {
 		status = ts_frames_next(&f, &got);
-		if (status == TS_OK && got && is_selected(c, f.step))
+		/* frames that the file before has, too, are left out, as in LAMMPS */
+		if (status == TS_OK && got && (!c->done || f.step > sim->clock.step) &&
+		    is_selected(c, f.step))
 			status = apply_and_compute(sim, c, plan, &f, where);
 	}
 	ts_frames_close(&f);

@@ -12,7 +12,15 @@ struct state {
 
 static enum ts_status delete_dump(struct tsim *sim, const struct ts_word *id)
 {
-	return ts_sim_find(sim, TS_KIND_DUMP, id->text) ? ts_sim_destroy(sim, TS_KIND_DUMP, id) : TS_OK;
+	const struct ts_instance *dump = ts_sim_find(sim, TS_KIND_DUMP, id->text);
+
+	if (dump && !ts_streq(dump->style->name, "restart"))
+		return ts_fail(&sim->error, TS_STATE, &id->place,
+			       "restart: there is a dump with the ID '%s' (%s, %s:%d), which this command "
+			       "needs: "
+			       "give that dump another one",
+			       id->text, dump->style->name, TS_FILE_AND_LINE(dump->where));
+	return dump ? ts_sim_destroy(sim, TS_KIND_DUMP, id) : TS_OK;
 }
 
 static enum ts_status define_dump(struct tsim *sim, const struct ts_word *id, const struct ts_word *word,

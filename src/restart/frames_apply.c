@@ -1,6 +1,7 @@
 /* Enters a frame of a dump in the simulation. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/sort.h"
 #include "box/domain.h"
@@ -151,14 +152,14 @@ static enum ts_status add_missing(struct frame_import *u)
 }
 
 /* Column of a quantity: as labelled, of its name, or for positions one of xs, xu, xsu. */
-static int find_column(const struct frame_import *u, const char *field, bool *scaled)
+static int find_column(const struct frame_import *u, const char *field, bool *scaled, bool *unwrapped)
 {
 	static const char *const kinds[] = { "s", "u", "su" };
 	const struct ts_words labels = u->use->labels;
 	char name[8];
 	int column;
 
-	*scaled = false;
+	*scaled = *unwrapped = false;
 	for (size_t k = 0; k + 1 < labels.n; k += 2)
 		if (ts_streq(labels.word[k].text, field))
 			return ts_frames_column(u->f, labels.word[k + 1].text);
@@ -169,15 +170,33 @@ static int find_column(const struct frame_import *u, const char *field, bool *sc
 		snprintf(name, sizeof name, "%s%s", field, kinds[k]);
 		column = ts_frames_column(u->f, name);
 		*scaled = column >= 0 && kinds[k][0] == 's';
+		*unwrapped = column >= 0 && strchr(kinds[k], 'u');
 	}
 	return column;
 }
 
+/* Unwrapped positions count the box lengths from the first image of the box. */
+static void clear_images(const struct frame_import *u, int dim)
+{
+	for (size_t k = 0; k < u->n; k++)
+		u->sim->particles->image[u->target[k]][dim] = 0;
+}
+
+static bool has_field(const struct frame_import *u, const char *name)
+{
+	bool has = false;
+
+	for (size_t k = 0; k < u->use->fields.n; k++)
+		has |= ts_streq(u->use->fields.word[k].text, name);
+	return has;
+}
+
 static enum ts_status apply_field(struct frame_import *u, const struct ts_word *field)
 {
+	const char flag[] = { 'i', field->text[0], '\0' };
 	int dim = field->text[0] - 'x';
-	bool scaled;
-	int column = find_column(u, field->text, &scaled);
+	bool scaled, unwrapped;
+	int column = find_column(u, field->text, &scaled, &unwrapped);
 
 	if (column < 0)
 		return ts_fail(&u->sim->error, TS_UNKNOWN, &field->place,
@@ -196,6 +215,8 @@ static enum ts_status apply_field(struct frame_import *u, const struct ts_word *
 		u->value[u->n] = scaled ? u->f->lo[dim] + value * (u->f->hi[dim] - u->f->lo[dim]) : value;
 		u->target[u->n++] = u->row[r];
 	}
+	if (unwrapped && !has_field(u, flag))
+		clear_images(u, dim);
 	return ts_particles_assign(u->sim, field->text, u->target, u->value, u->n);
 }
 

@@ -33,23 +33,6 @@ enum ts_status ts_rigid_reserve(struct tsim *sim, size_t n)
 	return TS_OK;
 }
 
-void ts_rigid_attach(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row, size_t n)
-{
-	struct ts_particles *p = sim->particles;
-	double m[3][3], arm[3];
-
-	ts_quaternion_matrix(body->q, m);
-	for (size_t k = 0; k < n; k++) {
-		size_t i = (size_t)row[k];
-
-		ts_unwrapped(sim, i, arm);
-		ts_sub(arm, body->x, arm);
-		ts_rotate_back(m, arm, p->body_x[i]);
-		p->body[i] = id;
-		p->imass[i] = 1 / body->mass;
-	}
-}
-
 enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner, const int32_t *row,
 			    size_t n)
 {

@@ -76,12 +76,10 @@ static enum ts_status take_velocities(struct tsim *sim, struct ts_body *body, st
 	return TS_OK;
 }
 
-enum ts_status ts_rigid_take_velocities(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_rigid_take_velocities(struct tsim *sim)
 {
-	struct ts_rigid *r = self->state;
+	struct ts_rigid *r = sim->rigid;
 
-	if (!r->n || sim->division) /* divided particles are those of the last step */
-		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
 	for (size_t b = 0; b < r->n; b++) {
 		struct members m = members_of(r, b);

@@ -4,8 +4,8 @@
 
 #include "rigid/rigid.h"
 
-/* Init of the system: bodies of members with other velocities than theirs get the nearest rigid motion. */
-enum ts_status ts_rigid_take_velocities(struct ts_instance *self, struct tsim *sim);
+/* When a run begins: bodies of members with other velocities than theirs get the nearest rigid motion. */
+enum ts_status ts_rigid_take_velocities(struct tsim *sim);
 
 /* Bodies follow their members, which the command `who` has moved or left behind in another box: they are displaced, and, if
  * the command `reshapes`, those whose members were moved apart become the bodies of the spheres where they are now, but

@@ -22,6 +22,23 @@ static void move_member(struct tsim *sim, const struct ts_body *b, size_t i, con
 	}
 }
 
+void ts_rigid_attach(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row, size_t n)
+{
+	struct ts_particles *p = sim->particles;
+	double m[3][3], arm[3];
+
+	ts_quaternion_matrix(body->q, m);
+	for (size_t k = 0; k < n; k++) {
+		size_t i = (size_t)row[k];
+
+		ts_unwrapped(sim, i, arm);
+		ts_sub(arm, body->x, arm);
+		ts_rotate_back(m, arm, p->body_x[i]);
+		p->body[i] = id;
+		p->imass[i] = 1 / body->mass;
+	}
+}
+
 void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n)
 {
 	double m[3][3], arm[3];

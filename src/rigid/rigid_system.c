@@ -95,11 +95,19 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	(void)sim;
+	((struct ts_rigid *)self->state)->fresh = true;
+	return TS_OK;
+}
+
 /* Forces at the start of a run; a run that resumes has them from the last step. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_rigid *r = self->state;
+	struct ts_rigid *r = self->state;
 
+	r->fresh = false;
 	if (!r->n || sim->run.resuming)
 		return TS_OK;
 	return for_each_body(sim, sum_forces);
@@ -118,6 +126,9 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_rigid_dissolve_orphans(sim));
 	TS_TRY(ts_rigid_list(sim));
 	TS_TRY(ts_rigid_drop_incomplete(sim));
+	if (r->fresh)
+		TS_TRY(ts_rigid_take_velocities(sim));
+	r->fresh = false;
 	if (sim->run.rebuild && r->n)
 		TS_TRY(r->check_members(sim, r->member, r->start[r->n]));
 	for (size_t b = 0; b < r->n; b++)
@@ -221,7 +232,7 @@ const struct ts_system_style ts_rigid_system = {
 		   .state_size = sizeof(struct ts_rigid),
 		   .archive = archive,
 		   .fingerprint = fingerprint,
-		   .init = ts_rigid_take_velocities,
+		   .init = init,
 		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 			     [TS_STAGE_EXCHANGE] = exchange,
 			     [TS_STAGE_BUILD] = build,

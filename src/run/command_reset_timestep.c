@@ -21,6 +21,27 @@ static bool samples_by_step(const struct ts_instance *fix)
 	return false;
 }
 
+/* Files of which a frame at an earlier step would replace others. */
+static enum ts_status refuse_ordered_files(struct tsim *sim, int64_t step, const struct ts_place *where)
+{
+	const struct ts_instances *dumps = &sim->instances[TS_KIND_DUMP];
+
+	for (size_t k = 0; k < dumps->n; k++) {
+		const struct ts_dump_common *d = dumps->item[k]->state;
+
+		if (d->in_order && d->frames && step <= d->last)
+			return ts_fail(&sim->error, TS_STATE, where,
+				       "dump %s (%s:%d): frames of its file are in the order of their steps, "
+				       "and "
+				       "that of step %lld would replace those from there on: undump it "
+				       "before "
+				       "reset_timestep, and write to another file",
+				       dumps->item[k]->id, TS_FILE_AND_LINE(dumps->item[k]->where),
+				       (long long)step);
+	}
+	return TS_OK;
+}
+
 /* Dumps may write a frame at the new step even if they have written one of this number. */
 static void clear_last_frames(struct tsim *sim)
 {
@@ -50,6 +71,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 				       fix->id, fix->style->name, TS_FILE_AND_LINE(fix->where),
 				       ts_sim_time(sim), (long long)s->step);
 	}
+	TS_TRY(refuse_ordered_files(sim, s->step, where));
 	if (s->step != sim->clock.step) {
 		clear_last_frames(sim);
 		sim->bonds->past_events = sim->bonds->nevents;

@@ -63,8 +63,26 @@ enum ts_status ts_surface_require(struct tsim *sim, const struct ts_word *id, st
 	out->by = ts_sim_find(sim, TS_KIND_FIX, id->text);
 	if (!out->by)
 		return unknown_surface(sim, id);
+	out->sim = sim;
+	out->removals = sim->removals;
 	out->kind = kind_of(out->by);
 	return out->kind ? TS_OK : not_a_surface(sim, id, out->by);
+}
+
+enum ts_status ts_surface_find_again(struct ts_surface *s, const char *id, const struct ts_place *where,
+				     size_t elements)
+{
+	const struct ts_word word = { .text = id, .place = *where };
+	struct tsim *sim = s->sim;
+
+	if (sim->run.inside || s->removals == sim->removals)
+		return TS_OK;
+	TS_TRY(ts_surface_require(sim, &word, s));
+	if (ts_surface_elements(s) == elements)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "fix %s has been defined anew, with another number of elements: `run 0` finds them",
+		       id);
 }
 
 /* ---- elements ---- */

@@ -16,12 +16,18 @@
 struct ts_surface_kind;
 
 struct ts_surface {
-	const struct ts_instance *by; /* its fix; valid until the next init */
+	const struct ts_instance *by; /* its fix; valid in a run */
+	struct tsim *sim;	      /* and sim->removals when it was found: for outputs between runs */
+	uint64_t removals;
 	const struct ts_surface_kind *kind;
 };
 
 /* Finds the surface of this ID; fails with an error at the word, and a suggestion, if there is none. */
 enum ts_status ts_surface_require(struct tsim *sim, const struct ts_word *id, struct ts_surface *out);
+/* Between runs, for outputs: finds the surface again if its fix may have been deleted, or defined anew; fails if it is gone,
+ * or has another number of elements. */
+enum ts_status ts_surface_find_again(struct ts_surface *s, const char *id, const struct ts_place *where,
+				     size_t elements);
 /* Number of elements. */
 size_t ts_surface_elements(const struct ts_surface *s);
 /* Of an element, length^2: of a triangle, now; of a plane that of the cross-section of the box; of a cylinder that

@@ -248,8 +248,9 @@ static enum ts_status list_elements(const struct ts_wear *w, const struct tsim *
 
 static enum ts_status eval_elements(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct ts_wear *w = self->state;
+	struct ts_wear *w = self->state;
 
+	TS_TRY(ts_surface_find_again(&w->surface, w->surface_id, &self->where, w->rows.elements));
 	TS_TRY(list_elements(w, sim, SUMS, COLUMNS, out));
 	for (size_t k = 0; k < w->evolution.n; k++)
 		out->data[(size_t)w->rows.touched[k] * COLUMNS + TAKEN] = w->evolution.sums[k].taken;
@@ -258,7 +259,10 @@ static enum ts_status eval_elements(struct ts_instance *self, const struct tsim 
 
 static enum ts_status eval_impacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	return list_elements(self->state, sim, IMPACT_SUMS, IMPACT_COLUMNS, out);
+	struct ts_wear *w = self->state;
+
+	TS_TRY(ts_surface_find_again(&w->surface, w->surface_id, &self->where, w->rows.elements));
+	return list_elements(w, sim, IMPACT_SUMS, IMPACT_COLUMNS, out);
 }
 
 const struct ts_value ts_wear_values[] = {

@@ -274,4 +274,148 @@ spheres='fix pts all particletemplate/sphere 15485863 atom_type 1 density consta
 clumps="fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 2 ntry 10000 spheres file $work/two.txt scale 1.0 type 1"
 prints "$(stream "$spheres" nve/sphere)" 'moved 1' 'held -1' 'free 1'
 prints "$(stream "$clumps" multisphere)" 'moved 1' 'held -1' 'free 1'
+
+# ---- outputs that read what has been deleted or replaced since the last run
+two="$box
+$materials
+$(grains 0.5,0.5,0.5 0.599,0.5,0.5)
+run 0"
+for style in 'pair_style gran model hertz tangential history' 'pair_style gran model hooke'; do
+	rejects "$two
+$style
+print \$(pe)" '`run 0` finds them'
+done
+prints "$two
+variable p equal \$(pe)
+pair_style gran model hertz tangential history
+pair_coeff * *
+write_restart r
+run 0
+print \"the same \$(pe==v_p)\"" 'the same 1'
+prints "$two
+fix mark all property/atom mark scalar yes no no 3
+compute most all reduce max f_mark
+run 0
+unfix mark
+print \"kept \$(c_most)\"" 'kept 3'
+bonds='units si
+atom_style sphere
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box bond/types 1
+create_atoms 1 single 0.2 0.5 0.5
+create_atoms 1 single 0.21 0.5 0.5
+set group all diameter 0.01 density 1000
+bond_style parallel
+bond_coeff 1 kn 1e9 ks 4e8
+create_bonds many all all 1 0.009 0.011
+fix i all nve/sphere
+timestep 1e-7'
+rejects "$bonds
+print \$(press)" '`run 0` finds them'
+rejects "$bonds
+compute b all bond/local shear
+compute s all reduce max c_b inputs local
+run 0
+bond_style none
+print \$(c_s)" 'no bond style'
+prints "$bonds
+fix l all energy/ledger
+run 1
+bond_style none
+run 1"
+pad='units si
+boundary p p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+fix pad all surface/voxel constant 0.1 type 1 cells 8 8'
+rejects "$pad
+compute s all surface/contact pad pressure 1e3 E 1e9
+run 0
+unfix pad
+print \$(c_s)" 'pad'
+rejects "$pad
+dump restart all custom 1 f.dump id
+restart 10 r" "there is a dump with the ID 'restart'"
+
+# ---- dumps after reset_timestep, and of one frame
+few="$box
+$(grains 0.5,0.5,0.5)
+fix i all nve/sphere"
+prints "$few
+dump d all custom 10 o.*.dump id x
+dump_modify d maxfiles 2 units yes
+run 10
+reset_timestep 0
+run 10" && [ -s o.0.dump ] && [ -s o.10.dump ] && grep -q UNITS o.10.dump
+report 'the file just written is not the oldest one' $?
+prints "$few
+dump d all custom/vtk 10 o.*.vtp id x
+run 10
+reset_timestep 0
+run 10" && [ "$(grep -c 'o.0.vtp' o.pvd)" = 1 ]
+report 'a file is once in its collection' $?
+prints "$few
+write_dump all custom a.dump id x modify delay 1000
+write_dump all custom b.dump id x modify every 7
+run 5
+write_dump all custom c.dump id x modify every 7" && [ -s a.dump ] && [ -s b.dump ] && [ -s c.dump ]
+report 'write_dump writes, whatever its interval' $?
+prints "$box
+$(grains 0.5,0.5,0.9 0.6,0.5,0.7 0.7,0.5,0.8)
+variable v atom id
+dump d all custom/vtk 1 s.*.vtk id x y z v_v vx
+dump_modify d sort 4
+run 0" && tr '\n' ' ' <s.0.vtk | grep -q 'POINTS 3 [a-z]* 0.6 0.5 0.7 0.7 0.5 0.8 0.5 0.5 0.9'
+report 'rows in the order of the column as it is written in the script' $?
+prints "units si
+atom_style sphere
+boundary p f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5
+set group all diameter 0.1 density 1000 vx 1
+fix i all nve
+timestep 0.01
+dump d all custom 100 u.dump id xu y z vx vy vz
+compute m all msd
+thermo_style custom step c_m[4]
+run 300
+clear
+units si
+atom_style sphere
+boundary p f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5
+set group all diameter 0.1 density 1000
+compute m all msd
+thermo 100
+thermo_style custom step c_m[4]
+rerun u.dump dump x y z
+print 'at \$(xcm(all,x):%.12g)'" 'at 3.5'
+# a particle half a skin beyond a periodic face is in the region on the other side
+prints "units si
+atom_style sphere
+boundary p p p
+neighbor 0.2 bin
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.99 0.5 0.5
+create_atoms 1 single 0.5 0.5 0.5
+set group all diameter 0.1 density 1000
+set atom 1 vx 1
+region all block 0 1 0 1 0 1 units box
+compute l all leave all
+compute s all stress/region all ke
+compute m all mixing lacey type 1 cell 0.5
+fix i all nve
+timestep 0.01
+thermo_style custom step c_l[1] c_s[1] c_m[3]
+run 5
+variable now equal \$(c_s[1])
+variable samples equal \$(c_m[3])
+neighbor 0.21 bin
+run 0
+print \"left \$(c_l[1]) the same \$(c_s[1]==v_now&&v_now!=0) \$(c_m[3]==v_samples)\"" 'left 0 the same 1 1'
 finish

@@ -151,11 +151,11 @@ syn keyword tsimKeyword  waves selfaffine hurst shortest roll longest datum merg
 syn keyword tsimKeyword  divided kernel reach settled inertia_1 inertia_2 arm joint_1
 syn keyword tsimKeyword  joint_2 start_1 start_2 model hooke hertz hooke/stiffness
 syn keyword tsimKeyword  hooke/modulus hertz/stiffness hooke/hysteresis jkr history
-syn keyword tsimKeyword  no_history incremental_history jkr_tan rolling_friction cdt epsd
-syn keyword tsimKeyword  epsd2 epsd3 cohesion sjkr sjkr2 easo/capillary/viscous
-syn keyword tsimKeyword  washino/capillary/viscous multicontact limitForce
-syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
-syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
+syn keyword tsimKeyword  no_history incremental_history jkr_tan cohesion sjkr sjkr2
+syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous rolling_friction
+syn keyword tsimKeyword  cdt epsd epsd2 epsd3 multicontact limitForce tangential_damping
+syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
+syn keyword tsimKeyword  modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
