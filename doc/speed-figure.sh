@@ -20,7 +20,7 @@ set xtics rotate by -30
 set ylabel 'time of the other / time of tsim'
 set grid ytics
 set key outside right top
-set title 'Computing time of LIGGGHTS and LAMMPS, one process, by that of tsim, one thread (doc/speed.md)'
+set title 'Computing time of LIGGGHTS and LAMMPS, one process, relative to that of tsim, one thread (doc/speed.md)'
 set arrow from graph 0, first 1 to graph 1, first 1 nohead lw 2
 plot '$work/table' using 2:xtic(1) title 'LIGGGHTS 3.8' lc rgb '#d08030', '' using 3 title 'LAMMPS 2021' lc rgb '#3070b0'
 END

@@ -303,16 +303,25 @@ static int choose_columns(const struct ts_trial_results *b, int *shown)
 	return n;
 }
 
+enum { PERCENT = 24 };
+
+/* A percentage with two significant digits, without exponents from 10 % on. */
+static const char *percent(double part, char text[PERCENT])
+{
+	snprintf(text, PERCENT, part >= 0.0995 && part < 1e15 ? "%.0f %%" : "%.2g %%", 100 * part);
+	return text;
+}
+
 static void add_percent(struct ts_str *out, double part, bool noise)
 {
-	char text[32];
+	char text[PERCENT + 8], number[PERCENT];
 
 	if (isinf(part))
 		snprintf(text, sizeof text, "nan");
 	else if (part < 1e-8)
 		snprintf(text, sizeof text, part > 0 ? "<1e-6 %%" : "0");
 	else
-		snprintf(text, sizeof text, "%s%.2g %%", noise ? "~" : "", 100 * part);
+		snprintf(text, sizeof text, "%s%s", noise ? "~" : "", percent(part, number));
 	ts_str_addf(out, " %9s", text);
 }
 
@@ -382,18 +391,20 @@ static void add_table(const struct ts_trial_results *b, struct ts_str *out)
 		ts_str_add(out, "No column changes in the trials, so nothing is known about the accuracy of "
 				"the settings: add what matters to\nthermo_style\n");
 	if (n < b->columns)
-		ts_str_addf(out, "%d columns with smaller differences are not shown\n", b->columns - n);
+		ts_str_addf(out, "%d column%s with smaller differences not shown\n", b->columns - n,
+			    b->columns - n == 1 ? "" : "s");
 }
 
 static void add_head(const struct ts_trial_results *b, struct ts_str *out)
 {
 	double span = (double)b->steps * b->dt;
+	char text[PERCENT];
 
 	ts_str_addf(out, "Trials start at step %" PRId64 ", time %g, %s, with %" PRId64 " particles\n",
 		    b->step, b->time, b->location, b->particles);
 	ts_str_addf(out, "Each trial covers a time of %g, %" PRId64 " steps of %g", span, b->steps, b->dt);
 	if (b->run_steps > 0)
-		ts_str_addf(out, ": %.2g %% of the run", 100 * (double)b->steps / (double)b->run_steps);
+		ts_str_addf(out, ": %s of the run", percent((double)b->steps / (double)b->run_steps, text));
 	if (isfinite(b->limit))
 		ts_str_addf(out, "; stability limit of the time step %.4g", b->limit);
 	ts_str_addf(out, "\nTo repeat: -advise at %" PRId64 " steps %" PRId64 "\n\n", b->step, b->steps);
@@ -401,10 +412,12 @@ static void add_head(const struct ts_trial_results *b, struct ts_str *out)
 
 static void add_change(const struct ts_trial_results *b, double worst, int column, struct ts_str *out)
 {
+	char text[PERCENT];
+
 	if (column < 0)
 		ts_str_add(out, "no difference");
 	else
-		ts_str_addf(out, "largest difference %.2g %% (%s)", 100 * worst, b->title[column]);
+		ts_str_addf(out, "largest difference %s (%s)", percent(worst, text), b->title[column]);
 }
 
 static void add_duration(const struct ts_trial_results *b, const struct ts_trial *present,
@@ -445,6 +458,7 @@ static void add_advice(const struct ts_trial_results *b, double tolerance, struc
 {
 	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT), *all = NULL, *only = NULL;
 	bool step_advised = false;
+	char text[PERCENT];
 	int n = 0;
 
 	for (int k = 0; k < b->n && present; k++) {
@@ -470,9 +484,9 @@ static void add_advice(const struct ts_trial_results *b, double tolerance, struc
 	}
 	if (present && present->worst > tolerance && !step_advised)
 		ts_str_addf(out,
-			    "The time step is too large: %s differs by %.2g %%, and no time step tried is "
+			    "The time step is too large: %s differs by %s, and no time step tried is "
 			    "within %g %% of the reference. Try smaller ones.\n",
-			    b->title[present->worst_column], 100 * present->worst, 100 * tolerance);
+			    b->title[present->worst_column], percent(present->worst, text), 100 * tolerance);
 	else if (!add_undecided(b, out) && !n)
 		ts_str_add(out, "No better setting was found.\n");
 	only = all ? all : n == 1 ? only : NULL;

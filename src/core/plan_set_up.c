@@ -135,8 +135,8 @@ enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
 {
 	bool tried = false, done = false;
 
-	if (sim->reading.faults !=
-	    plan->faults) /* styles whose init has failed can neither act nor be judged */
+	/* styles whose init has failed can neither act nor be judged */
+	if (sim->reading.faults != plan->faults)
 		return TS_OK;
 	TS_TRY(find_resuming(sim));
 	if (is_apart(sim))

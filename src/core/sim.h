@@ -41,6 +41,7 @@ struct ts_price {
 	double crowded; /* the same with the particles packed as a bed, if that takes longer, s */
 	double frames;	/* wall time of all frames of dumps that were not among the steps tried, s */
 	int64_t steps;	/* steps tried; 0: the times are those of an earlier run */
+	char why[256];	/* where they are not known: the error of the steps */
 };
 
 /* Estimated cost of all runs of the script so far, for -explain. */
@@ -83,6 +84,7 @@ struct ts_clock {
 	int64_t ramp_last;    /* and end: of this run, or `run N start S stop E`     */
 	int64_t command_step; /* step at which the last run command began           */
 	int64_t goal;	      /* last step of the last run command                   */
+	int64_t resets;	      /* of the counter, by reset_timestep                   */
 	int64_t base_step;    /* time = base_time + (step - base_step) dt: one       */
 	double base_time;     /* rounding for a constant dt, not one in each step; [time] */
 	double dt;	      /* [time] */

@@ -113,7 +113,8 @@ static void print_price(const struct ts_plan *plan, struct tsim *sim, const stru
 		sim->cost.seconds += price->seconds * (double)steps + price->frames;
 		sim->cost.most += price->crowded * (double)steps + price->frames;
 	} else {
-		ts_str_add(&text, "unknown, the first steps failed");
+		ts_str_addf(&text, "unknown, the first steps failed%s%s", price->why[0] ? ": " : "",
+			    price->why);
 	}
 	if (steps)
 		ts_log(&sim->log, "duration: %s\n", ts_str_text(&text));

@@ -139,10 +139,13 @@ static void *run_trial(void *data)
 	t->sim->reading.planned = false; /* values are needed here */
 	t->sim->log.quiet = true;
 	t->sim->log.progress = false;
-	if (!frames || include_omitted(t) != TS_OK || time_run(t, frames) != TS_OK)
+	if (!frames || include_omitted(t) != TS_OK || time_run(t, frames) != TS_OK) {
 		t->price = (struct ts_price){ .seconds = NAN };
-	else if (!t->full)
+		snprintf(t->price.why, sizeof t->price.why, "%.*s", (int)sizeof t->price.why - 1,
+			 t->sim->error.message);
+	} else if (!t->full) {
 		time_dense_packing(t); /* if it fails, the price has the first time only */
+	}
 	price = t->price;
 	if (write(t->to, &price, sizeof price) < 0)
 		t->price.steps = 0;

@@ -148,13 +148,23 @@ static enum ts_status fail_out_of_memory(struct ts_instance *self, struct tsim *
 		       FIELDS * sizeof(double) * cells / 1e9);
 }
 
+static bool flows(const struct ts_fluid *fluid)
+{
+	bool any = false;
+
+	for (int d = 0; d < fluid->grid.dimensions && fluid->u[d]; d++)
+		for (size_t k = 0; k < fluid->grid.size; k++)
+			any |= fluid->u[d][k] != 0;
+	return any;
+}
+
 static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 	struct ts_arena arena = { 0 };
 	double lo[3], hi[3], *face[3];
 	enum ts_status status = TS_OK;
-	bool periodic[3];
+	bool periodic[3], stretches;
 
 	TS_TRY(grid_bounds(self, sim, lo, hi));
 	for (int d = 0; d < 3; d++)
@@ -175,8 +185,17 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 		else
 			face[d][n] = hi[d];
 	}
+	stretches = status == TS_OK && p->rhs &&
+		    !same_grid(&p->fluid.grid, (const double *const *)face, periodic) && flows(&p->fluid);
 	if (status == TS_OK)
 		status = remake_grid(p, (const double *const *)face, periodic, sim->world);
+	if (stretches)
+		ts_warn(&sim->log, &self->where,
+			"flow_style projection: the grid has changed (flow_grid, change_box or replicate) "
+			"after the "
+			"fluid was set or has moved: each cell keeps its velocity, so that the flow is "
+			"stretched with "
+			"the cells");
 	ts_arena_release(&arena);
 	return status == TS_NOMEM ? fail_out_of_memory(self, sim) : status;
 }

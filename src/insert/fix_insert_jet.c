@@ -438,8 +438,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	if (ts_sim_find(sim, TS_KIND_FIX, s->base.distribution_id) != s->base.distribution)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix insert/jet: fix %s has been deleted or defined anew since the last run: "
-			       "run "
-			       "first",
+			       "run first",
 			       s->base.distribution_id);
 	return ts_distribution_archive_particle(s->base.distribution, sim, a, "kept", &s->keep, &s->kept);
 }

@@ -592,8 +592,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	    ts_sim_find(sim, TS_KIND_FIX, s->face_id)->state != (const void *)s->face)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix insert/stream: fix %s has been deleted or defined anew since the last "
-			       "run: "
-			       "run first",
+			       "run: run first",
 			       s->face_id);
 	if (ts_archive_writing(a) || ts_archive_has(a, "dt")) /* older files do not have it */
 		TS_TRY(ts_archive_fixed(a, "dt", TS_SAVED_F64, &s->dt, 1));

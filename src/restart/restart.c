@@ -54,6 +54,8 @@ static enum ts_status archive_run_state(struct ts_archive *a, struct run_state *
 	TS_TRY(ts_archive_fixed(a, "dimension", TS_SAVED_I32, &s->dimension, 1));
 	if (ts_archive_has(a, "era")) /* older files have none */
 		TS_TRY(ts_archive_fixed(a, "era", TS_SAVED_I64, &s->era, 1));
+	if (ts_archive_has(a, "resets"))
+		TS_TRY(ts_archive_fixed(a, "resets", TS_SAVED_I64, &c->resets, 1));
 	TS_TRY(ts_archive_fixed(a, "fingerprint", TS_SAVED_I64, &s->fingerprint, 1));
 	if (!ts_archive_has(a, "any_order")) {
 		s->fingerprint = ts_fingerprint_of_old(s->fingerprint);

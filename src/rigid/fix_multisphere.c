@@ -46,6 +46,9 @@ const struct ts_style ts_fix_multisphere = {
 	       "mass of the clump. Gravity acts on the clump as a whole, whose mass is not the sum of its "
 	       "overlapping spheres. A clump of which a sphere is lost through a fixed face is deleted. The "
 	       "group has no effect.\n\n"
+	       "Clumps follow `velocity`, `set` and displace_atoms as described for fix rigid; "
+	       "displace_atoms "
+	       "can move the spheres of a clump together only.\n\n"
 	       "The spheres must not be integrated by another fix such as nve/sphere.",
 	.example = "fix clumps all multisphere",
 	.args = args,

@@ -309,6 +309,11 @@ const struct ts_style ts_fix_rigid = {
 	       "`fix ID all property/atom mol` and `set`, or the section Molecules of a data file, give "
 	       "them. Particles that are created later belong to no body. rigid/small of LAMMPS is another "
 	       "name of this fix.\n\n"
+	       "Bodies follow their members: other velocities of members (`velocity`, `set`) make the body "
+	       "move with their momentum and angular momentum in the next run. Bodies whose members "
+	       "displace_atoms or `set` moves are displaced, or made anew where these were moved apart (a "
+	       "clump is refused); change_box displaces them and keeps their shape. Other masses and "
+	       "radii need the fix to be defined anew. replicate refuses bodies.\n\n"
 	       "Members do not interact with each other; in contacts with others they have the mass of the "
 	       "body. After unfix they are independent particles again. The particles must not be integrated "
 	       "by another fix.",

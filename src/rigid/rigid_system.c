@@ -233,6 +233,7 @@ const struct ts_system_style ts_rigid_system = {
 		   .archive = archive,
 		   .fingerprint = fingerprint,
 		   .init = init,
+		   .ranks = TS_RANKS_ROWLESS,
 		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 			     [TS_STAGE_EXCHANGE] = exchange,
 			     [TS_STAGE_BUILD] = build,

@@ -77,6 +77,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		sim->bonds->past_events = sim->bonds->nevents;
 		sim->thermo->counted = 0;
 		sim->era++;
+		sim->clock.resets++;
 	}
 	sim->clock.step = sim->clock.base_step = s->step;
 	sim->clock.base_time = time;

@@ -66,7 +66,13 @@ enum ts_status ts_study_chart(struct ts_study *s, const struct ts_study_task *ta
 	enum ts_status status;
 	bool wide;
 
-	if (!has_results(s, task, n) || !has_axis(s, label, groups, &wide))
+	if (!has_results(s, task, n)) {
+		ts_str_add(text,
+			   "\nno run has printed a line `RESULT NAME VALUE` or `STUDY NAME=VALUE`: there are "
+			   "no results\n");
+		return TS_OK;
+	}
+	if (!has_axis(s, label, groups, &wide))
 		return TS_OK;
 	status = draw(s, "svg", wide ? "x" : NULL, text);
 	if (status == TS_OK)

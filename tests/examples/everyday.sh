@@ -5,7 +5,7 @@
 cp -r "$top_srcdir/examples/everyday" "$top_srcdir/examples/flow" . || exit 99
 cd everyday || exit 99
 
-results 'a hopper by the law of Beverloo' in.hopper 1 -var grains 2000 -var outlet 6 -var bin 7 -var steps 10000
+results 'a hopper by the law of Beverloo' in.hopper 1 -var grains 3000 -var outlet 6 -var bin 7 -var steps 10000
 results 'a drum that has hardly turned: the balance of moments is exact' in.drum 2 -var R 0.03 -var length 0.01 -var small 0.0018 \
 	-var rpm 40 -var start 500 -var steps 3000
 results 'a drum with two sizes of grains' in.drum 4 -var R 0.03 -var length 0.01 -var small 0.0018 -var rpm 40 -var start 40000 -var steps 45000

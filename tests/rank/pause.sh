@@ -75,7 +75,7 @@ between 'print "$(ke) $(count(all)) $(press)"' 'print "$(c_er) $(vx[17])"' 'vari
 	'set type 1 density 2600' 'velocity low set 0 0 0 units box' 'timestep 1.9e-5' 'run 0' >in.reads
 same_on reads 2 3
 between 'delete_atoms group low' 'unfix mean
-reset_timestep 0' 'neighbor 0.0012 bin' 'fix w5 all wall/gran model hertz tangential history primitive type 1 zplane 0.05' 'unfix drag' \
+reset_timestep 0 time $(time)' 'neighbor 0.0012 bin' 'fix w5 all wall/gran model hertz tangential history primitive type 1 zplane 0.05' 'unfix drag' \
 	'compute late all pair/local force
 compute n all reduce sum c_late
 print "late $(c_n)"' 'dump f all local 10 ${out}.forces c_late' 'undump f' 'uncompute n' 'uncompute late' >in.changes
