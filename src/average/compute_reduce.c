@@ -23,9 +23,8 @@ const struct ts_style ts_compute_reduce = {
 	       "local array (contacts, bonds): sum, minimum (min), maximum (max), mean (ave), sum and mean "
 	       "of squares (sumsq, avesq), and the same of absolute values (sumabs, aveabs, minabs, maxabs); "
 	       "std is the standard deviation sqrt(<(x - <x>)^2>), which LAMMPS does not have. c_ID is the "
-	       "result "
-	       "of the first input, c_ID[k] that of the k-th. Sums are exact, rounded once, and do not "
-	       "depend on the order. If there are no values, all results are 0.\n\n"
+	       "result of the first input, c_ID[k] that of the k-th. Sums are exact, rounded once, and do "
+	       "not depend on the order. If there are no values, all results are 0.\n\n"
 	       "With `replace m n` result m is the value of input m at the particle where input n is minimal "
 	       "or maximal; if there are several such particles, at that of the smallest id.",
 	.example = "compute fastest all reduce max vx vy vz\n"

@@ -14,8 +14,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		if (fixes->item[k]->style == self->style && !ts_streq(fixes->item[k]->id, self->id))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix multicontact/halfspace: there is one already, fix %s (%s:%d), "
-				       "and "
-				       "it acts on all contacts",
+				       "and it acts on all contacts",
 				       fixes->item[k]->id, TS_FILE_AND_LINE(fixes->item[k]->where));
 	sim->neigh->multicontact = m;
 	m->neigh = sim->neigh;

@@ -61,7 +61,8 @@ static const struct ts_arg coeff[] = {
 	TS_REAL("damping", struct ts_spring_dashpot, damping, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
 		.unit = "force/velocity", .help = "dashpot constant beta"),
 	TS_REAL("restitution", struct ts_spring_dashpot, restitution, .flags = TS_OPTIONAL,
-		.range = TS_FRACTION, .unit = "", .help = "coefficient of restitution e, instead of beta"),
+		.range = TS_FRACTION, .unit = "",
+		.help = "coefficient of restitution e > 0, instead of beta"),
 	TS_ARGS_END,
 };
 

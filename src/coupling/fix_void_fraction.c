@@ -303,8 +303,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		if (!ts_streq(other->id, self->id))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix void_fraction: there is one already, fix %s (%s:%d): its group "
-				       "has "
-				       "all particles that displace fluid",
+				       "has all particles that displace fluid",
 				       other->id, TS_FILE_AND_LINE(other->where));
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
 	s->fluid->void_anew |= first && !ts_unclaimed_exists(sim, self);

@@ -40,7 +40,6 @@ void ts_fluid_release_void_fraction(struct ts_fluid *fluid)
 
 void ts_fluid_release(struct ts_fluid *fluid)
 {
-
 	release_vector(fluid->u);
 	release_vector(fluid->force);
 	release_vector(fluid->exchange);

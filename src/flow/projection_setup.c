@@ -192,10 +192,8 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 	if (stretches)
 		ts_warn(&sim->log, &self->where,
 			"flow_style projection: the grid has changed (flow_grid, change_box or replicate) "
-			"after the "
-			"fluid was set or has moved: each cell keeps its velocity, so that the flow is "
-			"stretched with "
-			"the cells");
+			"after the fluid was set or has moved: each cell keeps its velocity, so that the "
+			"flow is stretched with the cells");
 	ts_arena_release(&arena);
 	return status == TS_NOMEM ? fail_out_of_memory(self, sim) : status;
 }

@@ -224,7 +224,8 @@ static void advance_part(const struct task *task, struct tsim *sim, double s)
 	double *term = ts_heat_column(sim, h->rate), *sum = h->work, *after = h->work + n,
 	       *rise = h->work + 2 * n;
 
-	memcpy(sum, term, n * sizeof *sum);
+	if (n)
+		memcpy(sum, term, n * sizeof *sum);
 	for (size_t i = 0; i < n; i++)
 		h->mean_rise[i] += rise[i] * s;
 	for (int k = 0; k <= LAST_TERM; k++) {
@@ -242,7 +243,8 @@ static void advance_part(const struct task *task, struct tsim *sim, double s)
 		for (size_t i = 0; i < n; i++)
 			sum[i] += term[i] = after[i];
 	}
-	memcpy(term, sum, n * sizeof *term);
+	if (n)
+		memcpy(term, sum, n * sizeof *term);
 }
 
 static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)

@@ -37,6 +37,7 @@ static enum ts_status read_pair(struct ts_instance *self, struct tsim *sim, int6
 	const struct ts_word *id = &d->pairs.word[2 * k], *weight = id + 1;
 
 	TS_TRY(ts_template_require(sim, id, &d->template[k]));
+	d->serial[k] = d->template[k] -> serial;
 	for (int64_t j = 0; j < k; j++)
 		if (d->template[j] == d->template[k])
 			return ts_fail(&sim->error, TS_STATE, &id->place,
@@ -86,10 +87,9 @@ static void update_means(struct ts_distribution *d)
 	}
 }
 
-static enum ts_status init_distribution(struct ts_instance *self, struct tsim *sim, bool by_mass)
+static enum ts_status make_distribution(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_distribution *d = self->state;
-	double sum = 0;
 
 	if (d->pairs.n != 2 * (size_t)d->n)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
@@ -99,9 +99,16 @@ static enum ts_status init_distribution(struct ts_instance *self, struct tsim *s
 				      ts_instance_word(self, self->words.word[0].text)));
 	d->random = ts_minstd_start(d->seed);
 	d->template = ts_arena_alloc(&self->arena, (size_t)d->n, sizeof *d->template);
+	d->serial = ts_arena_alloc(&self->arena, (size_t)d->n, sizeof *d->serial);
 	d->share = ts_arena_alloc(&self->arena, (size_t)d->n, sizeof *d->share);
-	if (!d->template || !d->share)
-		return ts_nomem(&sim->error);
+	return d->template && d->serial && d->share ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status read_pairs(struct ts_instance *self, struct tsim *sim, bool by_mass)
+{
+	struct ts_distribution *d = self->state;
+	double sum = 0;
+
 	for (int64_t k = 0; k < d->n; k++) {
 		TS_TRY(read_pair(self, sim, k));
 		sum += d->share[k];
@@ -126,11 +133,26 @@ enum ts_status ts_distribution_init(struct ts_instance *self, struct tsim *sim, 
 {
 	struct ts_distribution *d = self->state;
 
+	struct ts_instance *template;
+	bool changed = !d->template;
+
 	if (!d->template)
-		return init_distribution(self, sim, by_mass);
-	for (int64_t k = 0; k < d->n; k++) /* the script may have redefined them */
-		TS_TRY(ts_template_require(sim, &d->pairs.word[2 * k], &d->template[k]));
-	return TS_OK;
+		TS_TRY(make_distribution(self, sim));
+	for (int64_t k = 0; k < d->n && !changed; k++) { /* the script may have redefined them */
+		TS_TRY(ts_template_require(sim, &d->pairs.word[2 * k], &template));
+		changed = template->serial != d->serial[k];
+	}
+	return changed ? read_pairs(self, sim, by_mass) : TS_OK;
+}
+
+bool ts_distribution_holds(const struct ts_instance *self, const struct ts_new_particle *one)
+{
+	const struct ts_distribution *d = self->state;
+	bool found = false;
+
+	for (int64_t k = 0; k < d->n; k++)
+		found |= d->serial[k] == one->serial;
+	return found;
 }
 
 enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *id, struct ts_instance **out)
@@ -174,6 +196,7 @@ static struct ts_new_particle particle_of(const struct ts_instance *self, struct
 {
 	return (struct ts_new_particle){
 		.template = template,
+		.serial = template->serial,
 		.mask = 1u << self->group | 1u << template->group,
 		.type = (int32_t)((struct ts_template *)template->state)->type,
 	};
@@ -255,7 +278,7 @@ enum ts_status ts_distribution_archive_particle(struct ts_instance *self, struct
 	double number[3] = { -1, one->radius, one->density }; /* index of the template, or -1 */
 
 	for (int64_t k = 0; *some && k < d->n; k++)
-		if (d->template[k] == one->template)
+		if (d->serial[k] == one->serial)
 			number[0] = (double)k;
 	TS_TRY(ts_archive_fixed(archive, name, TS_SAVED_F64, number, 3));
 	if (ts_archive_writing(archive))

@@ -11,6 +11,7 @@ struct ts_distribution {
 
 	/* set by ts_distribution_init */
 	struct ts_instance **template;
+	uint64_t *serial;      /* [n], numbers of these instances */
 	double *share;	       /* [n], fraction of the number of particles; the sum is 1 */
 	double volume, mass;   /* means per particle */
 	double least, largest; /* smallest radius of a sphere; largest of a bounding sphere */
@@ -30,6 +31,7 @@ enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *i
 /* A particle, or clump, that is to be inserted. */
 struct ts_new_particle {
 	struct ts_instance *template; /* NULL: a sphere without template */
+	uint64_t serial;	      /* its number */
 	uint32_t mask;		      /* groups of template and distribution, as bits */
 	int32_t type;
 	double radius, density;
@@ -47,6 +49,8 @@ struct ts_new_particles {
  * from n. */
 enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim, int64_t n, bool exact,
 				    struct ts_new_particles *out);
+/* Whether the template of a particle that was drawn in an earlier step is still there, not defined anew. */
+bool ts_distribution_holds(const struct ts_instance *self, const struct ts_new_particle *one);
 
 /* Writes or reads a particle that has been drawn but not been inserted yet; *some: there is one. */
 enum ts_status ts_distribution_archive_particle(struct ts_instance *self, struct tsim *sim,

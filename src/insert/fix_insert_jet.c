@@ -208,9 +208,11 @@ static void place_particle(struct jet *s, struct tsim *sim, double late, struct 
 
 static enum ts_status draw_particle(struct jet *s, struct tsim *sim, struct ts_new_particle *one)
 {
-	if (s->kept) {
+	const bool kept = s->kept && ts_distribution_holds(s->base.distribution, &s->keep);
+
+	s->kept = false;
+	if (kept) {
 		*one = s->keep;
-		s->kept = false;
 		return TS_OK;
 	}
 	TS_TRY(ts_distribution_draw(s->base.distribution, sim, 1, true, &s->drawn));

@@ -7,7 +7,8 @@
  *
  * The first cutting term is the energy m (t^2 - (t - 2 X phi)^2)/2 that the motion along the surface
  * loses, over phi. The terms are equal at t = 2 X phi + sqrt(K1 (n - K)^(3/2)), which defines the angle
- * alpha0 of the paper (it depends on the speed): above this t the first one holds, below the second.
+ * alpha0 of the paper (it depends on the speed): above this t the first one holds, below the second,
+ * which is 0 where it would be negative: the contact along the surface is elastic.
  *
  * epsilon  energy that removes a unit of volume by deformation, pressure
  * phi      energy that removes a unit of volume by cutting (rho in the paper), pressure

@@ -47,8 +47,7 @@ const struct ts_style ts_fix_multisphere = {
 	       "overlapping spheres. A clump of which a sphere is lost through a fixed face is deleted. The "
 	       "group has no effect.\n\n"
 	       "Clumps follow `velocity`, `set` and displace_atoms as described for fix rigid; "
-	       "displace_atoms "
-	       "can move the spheres of a clump together only.\n\n"
+	       "displace_atoms can move the spheres of a clump together only.\n\n"
 	       "The spheres must not be integrated by another fix such as nve/sphere.",
 	.example = "fix clumps all multisphere",
 	.args = args,

@@ -394,6 +394,34 @@ thermo 100
 thermo_style custom step c_m[4]
 rerun u.dump dump x y z
 print 'at \$(xcm(all,x):%.12g)'" 'at 3.5'
+# ---- templates that are defined anew: mean masses, and the particle that waits for room
+sphere() { echo "fix $1 all particletemplate/sphere 15485863 atom_type 1 density constant 1000 radius constant $2"; }
+prints "$box
+$materials
+$(sphere a 0.01)
+$(sphere b 0.01)
+fix d all particledistribution/discrete 32452843 2 a 0.5 b 0.5
+fix ins all insert/rate/region seed 49979687 distributiontemplate d nparticles 100000 massrate 50 insert_every 100 region box
+fix i all nve/sphere
+run 200
+variable before equal \$(f_ins[2])
+delete_atoms group all
+$(sphere b 0.02)
+run 1000
+print \"rate \$(round((f_ins[2]-v_before)/0.05)/10)\"" 'rate 1'
+prints "$box
+$materials
+$(sphere a 0.02)
+fix d all particledistribution/discrete 32452843 1 a 1
+fix ins all insert/jet seed 49979687 distributiontemplate d position 0.5 0.5 0.9 direction 0 0 -1 diameter 0.1 speed constant 1 particlerate 91000 time 1 all_in yes
+fix i all nve/sphere
+run 20
+delete_atoms group all
+$(sphere a 0.01)
+run 1
+compute r all reduce max radius
+run 0
+print \"largest \$(c_r:%.6g)\"" 'largest 0.01'
 # a particle half a skin beyond a periodic face is in the region on the other side
 prints "units si
 atom_style sphere
