@@ -2,9 +2,8 @@
 #include "box/domain.h"
 #include "insert/tracer.h"
 #include "math/exactsum.h"
-#include "region/region.h"
-
 #include "particle/group_moments.h"
+#include "region/region.h"
 
 #include "base/banned.h"
 

@@ -132,7 +132,6 @@ static enum ts_status read_pairs(struct ts_instance *self, struct tsim *sim, boo
 enum ts_status ts_distribution_init(struct ts_instance *self, struct tsim *sim, bool by_mass)
 {
 	struct ts_distribution *d = self->state;
-
 	struct ts_instance *template;
 	bool changed = !d->template;
 

@@ -20,7 +20,6 @@
 #include <stdlib.h>
 
 #include "core/sim.h"
-#include "core/unclaimed_state.h"
 
 #include "base/banned.h"
 
@@ -163,7 +162,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_word mesh = { .text = s->mesh, .place = *ts_instance_word(self, s->mesh) };
-
 	const bool fresh = !s->surface;
 
 	if (fresh)

@@ -17,8 +17,7 @@ static enum ts_status delete_dump(struct tsim *sim, const struct ts_word *id)
 	if (dump && !ts_streq(dump->style->name, "restart"))
 		return ts_fail(&sim->error, TS_STATE, &id->place,
 			       "restart: there is a dump with the ID '%s' (%s, %s:%d), which this command "
-			       "needs: "
-			       "give that dump another one",
+			       "needs: give that dump another one",
 			       id->text, dump->style->name, TS_FILE_AND_LINE(dump->where));
 	return dump ? ts_sim_destroy(sim, TS_KIND_DUMP, id) : TS_OK;
 }

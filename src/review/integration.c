@@ -27,8 +27,7 @@ enum ts_status ts_review_integrator(struct tsim *sim)
 	if (!p->n && !moved && ts_template_of_spheres(sim))
 		return ts_review_report(sim, "integrator", NULL,
 					"no fix integrates the particles that will be inserted: they will "
-					"not "
-					"move; add `fix ID all nve/sphere`");
+					"not move; add `fix ID all nve/sphere`");
 	for (size_t i = 0; i < p->n; i++) {
 		if (p->mask[i] & moved || !(p->imass[i] > 0) || ts_rigid_member(p, i))
 			continue;

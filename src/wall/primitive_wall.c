@@ -20,8 +20,6 @@ static const char *const shape_names[NSHAPES] = { "xplane",    "yplane",    "zpl
 
 /* ---- arguments ---- */
 
-/* Parses `least` to `most` numbers, starting at word `first`. The word NULL, for a plane that does not exist,
- * becomes NaN. */
 static bool is_position(const struct ts_word *word)
 {
 	double number;
@@ -42,6 +40,8 @@ static enum ts_status refuse_keyword(const struct ts_instance *self, struct tsim
 		       word->text, ts_suggest_text(&suggest));
 }
 
+/* Parses `least` to `most` numbers, starting at word `first`. The word NULL, for a plane that does not exist,
+ * becomes NaN. */
 static enum ts_status parse_numbers(const struct ts_instance *self, struct tsim *sim, struct ts_words words,
 				    size_t first, const char *what, const char *expected, size_t least,
 				    size_t most, double *out)
