@@ -123,13 +123,19 @@ static bool has_no_effect_on_forces(const struct ts_instance *inst)
 	return true;
 }
 
-/* What an instance adds: one that acts in no step, but that others read, such as a material, under whatever name. */
-static enum ts_status hash_effect(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash)
+/* What an instance adds: one that acts in no step, but that others read, such as a material, adds to a sum, under whatever
+ * name and in any place of the script. */
+static enum ts_status hash_effect(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash,
+				  uint64_t *sum)
 {
+	struct ts_hash one = ts_hash_start();
+
 	if (!has_no_effect_on_forces(inst))
 		return hash_instance(sim, inst, hash);
-	if (inst->style->fingerprint)
-		inst->style->fingerprint(inst, sim, hash);
+	if (!inst->style->fingerprint)
+		return TS_OK;
+	inst->style->fingerprint(inst, sim, &one);
+	*sum += ts_hash_value(&one);
 	return TS_OK;
 }
 
@@ -139,6 +145,7 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND, TS_KIND_FLOW,
 					      TS_KIND_FIX };
 	struct ts_hash hash = ts_hash_start();
+	uint64_t sum = 0;
 
 	ts_hash_add(&hash, &sim->clock.dt, sizeof sim->clock.dt);
 	ts_hash_add(&hash, &sim->clock.step, sizeof sim->clock.step);
@@ -148,8 +155,9 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 		const struct ts_instances *list = &sim->instances[kinds[k]];
 
 		for (size_t i = 0; i < list->n; i++)
-			TS_TRY(hash_effect(sim, list->item[i], &hash));
+			TS_TRY(hash_effect(sim, list->item[i], &hash, &sum));
 	}
+	ts_hash_add(&hash, &sum, sizeof sum);
 	*out = ts_fingerprint_in_order(sim) ? ts_hash_value(&hash) & ~ANY_ORDER
 					    : ts_hash_value(&hash) | ANY_ORDER;
 	return TS_OK;

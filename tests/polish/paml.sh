@@ -93,7 +93,7 @@ rejects "include in.plates
 thermo_style custom step c_paml
 run 0
 unfix top
-print \"\$(c_paml)\"" 'the wall top has been deleted since the last run'
+print \"\$(c_paml)\"" "there is no fix 'top'"
 
 # ---- the gap: a quarter of the columns is 1 high, the others 0; the face at 3 ----
 cat >in.gap <<'END'
