@@ -128,7 +128,7 @@ enum ts_status ts_bonds_connect(struct tsim *sim)
 	return ts_bonds_build_index(sim);
 }
 
-static bool is_connected(const struct ts_bonds *b, const struct ts_particles *p)
+bool ts_bonds_connected(const struct ts_bonds *b, const struct ts_particles *p)
 {
 	for (size_t k = 0; k < b->n; k++)
 		for (int s = 0; s < 2; s++) {
@@ -142,7 +142,7 @@ static bool is_connected(const struct ts_bonds *b, const struct ts_particles *p)
 
 enum ts_status ts_bonds_connect_if_changed(struct tsim *sim)
 {
-	if (sim->run.epoch || sim->division || is_connected(sim->bonds, sim->particles))
+	if (sim->run.epoch || sim->division || ts_bonds_connected(sim->bonds, sim->particles))
 		return TS_OK;
 	return ts_bonds_connect(sim);
 }

@@ -181,6 +181,8 @@ size_t ts_bond_columns(const struct ts_bonds *bonds, struct ts_bond_column colum
 /* Finds the local indices of the partners, deletes bonds of particles that have left, and rebuilds the lists of
  * bonds by particle. */
 enum ts_status ts_bonds_connect(struct tsim *sim);
+/* Whether the local indices are those of the partners. */
+bool ts_bonds_connected(const struct ts_bonds *bonds, const struct ts_particles *particles);
 /* Between runs: connects if particles have been deleted or created since; for outputs. */
 enum ts_status ts_bonds_connect_if_changed(struct tsim *sim);
 /* Rebuilds the lists of bonds by particle after the list or the local indices have changed. */

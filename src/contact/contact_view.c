@@ -35,24 +35,12 @@ bool ts_contacts_current(const struct tsim *sim)
 	       contacts_current(&sim->neigh->contacts, sim->particles);
 }
 
-static bool bonds_current(const struct ts_bonds *bonds, const struct ts_particles *p)
-{
-	for (size_t b = 0; b < bonds->n; b++)
-		for (int s = 0; s < 2; s++) {
-			size_t i = (size_t)bonds->row[b][s];
-
-			if (i >= p->n || p->tag[i] != bonds->tag[b][s])
-				return false;
-		}
-	return true;
-}
-
 enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *self)
 {
 	bool rows_wanted = sim->neigh->wanted || ts_sim_only(sim, TS_KIND_PAIR);
 
 	ts_contacts_store_history(sim, &sim->neigh->contacts);
-	if ((!rows_wanted || ts_contacts_current(sim)) && bonds_current(sim->bonds, sim->particles))
+	if ((!rows_wanted || ts_contacts_current(sim)) && ts_bonds_connected(sim->bonds, sim->particles))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "%s %s%s%s: contacts are known only after a run, and not if particles have been added "
