@@ -306,6 +306,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				       "has all particles that displace fluid",
 				       other->id, TS_FILE_AND_LINE(other->where));
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
+	s->fluid->void_of_fix = true;
 	s->fluid->void_anew |= first && !ts_unclaimed_exists(sim, self);
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
 	s->part.volume_distribution = volume_distribution;

@@ -76,6 +76,7 @@ struct ts_fluid {
 	 * it; with time euler the velocity at the end of the step. */
 	double *exchange_velocity[3];
 	double *void_fraction; /* e at centres; fix void_fraction sets it in the inner cells */
+	bool void_of_fix;      /* a fix sets e, no program around the library */
 	bool void_anew;	       /* the fix has been defined anew: e is no successor of that of the last step */
 	/* de/dt since the last step of the fluid, at centres; set by the fluid */
 	double *void_fraction_rate;

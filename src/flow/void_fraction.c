@@ -132,9 +132,10 @@ void ts_projection_find_void_fraction(struct ts_projection *p, const struct tsim
 {
 	size_t k = 0;
 
-	if (!p->fluid.void_fraction || ts_flow_part_named(sim, "void_fraction", &k))
+	if (!p->fluid.void_of_fix || ts_flow_part_named(sim, "void_fraction", &k))
 		return;
 	ts_fluid_release_void_fraction(&p->fluid);
+	p->fluid.void_of_fix = false;
 	p->empty_known = 0;
 }
 
