@@ -111,6 +111,7 @@ library_sources = \
 	src/base/map.h \
 	src/base/mkdirs.c \
 	src/base/mkdirs.h \
+	src/base/name.h \
 	src/base/parallel.c \
 	src/base/parallel.h \
 	src/base/process.c \

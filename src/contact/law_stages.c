@@ -76,7 +76,7 @@ TS_INLINE void normal_at(struct ts_stages *s, size_t k, const struct stage_task 
 
 	load_touch(s, k, o, &t);
 	load_memory(o->memory, numbers, k, &deepest);
-	ts_normal_force(o->m, o->law, &t, true, &deepest, &f);
+	ts_normal_force(o->m, o->law, &t, &deepest, &f);
 	store_memory(o, o->memory, numbers, k, &deepest);
 	s->kn[k] = f.kn;
 	s->kt[k] = f.kt;

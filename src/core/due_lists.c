@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/name.h"
+
 #include "base/banned.h"
 
 enum {
@@ -51,16 +53,11 @@ static void follow_instance(struct search *s, const struct ts_instance *inst)
 		style->names(inst, follow_text, s);
 }
 
-static bool in_name(char c)
-{
-	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 static bool begins_with_name(const char *text, const char *name)
 {
 	const size_t n = strlen(name);
 
-	return n && strncmp(text, name, n) == 0 && !in_name(text[n]);
+	return n && strncmp(text, name, n) == 0 && !ts_in_name(text[n]);
 }
 
 static void follow_instances(struct search *s, const char *text, enum ts_kind kind)
@@ -96,10 +93,8 @@ static void judge_fix(struct search *s, const char *text)
 static void follow_name(struct search *s, const char *text)
 {
 	char name[MOST_NAME];
-	size_t n = 0;
+	size_t n = ts_name_length(text);
 
-	while (in_name(text[n]))
-		n++;
 	s->found |= n >= sizeof name;
 	if (!n || s->found)
 		return;
@@ -132,7 +127,7 @@ static void follow_text(void *data, const char *text)
 			follow_variable(s, letter); /* $x */
 		if (i > 1 && text[i - 1] == '{' && text[i - 2] == '$')
 			follow_name(s, &text[i]);
-		if (i && in_name(text[i - 1]))
+		if (i && ts_in_name(text[i - 1]))
 			continue;
 		follow_word(s, &text[i]);
 		if (!strchr("cfv", text[i]) || text[i + 1] != '_')

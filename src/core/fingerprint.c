@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/name.h"
+
 #include "base/banned.h"
 
 /* Key of the random numbers drawn while the fingerprint is computed: struct ts_draws. */
@@ -40,12 +42,10 @@ static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *
 static enum ts_status hash_named_variables(struct tsim *sim, const struct ts_instance *inst, const char *text,
 					   int depth, struct ts_hash *hash)
 {
-	static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
-
 	for (size_t n; *text; text += n ? n : 1) {
 		char name[128];
 
-		n = strspn(text, letters);
+		n = ts_name_length(text);
 		if (n < 3 || n >= sizeof name || strncmp(text, "v_", 2) != 0)
 			continue;
 		memcpy(name, text + 2, n - 2);

@@ -31,6 +31,7 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	const struct ts_style *style;
 	struct ts_words words;
 	struct ts_instance *dump;
+	struct ts_dump_common *common;
 	struct ts_error error;
 	enum ts_status status;
 
@@ -38,8 +39,9 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	TS_TRY(make_dump_words(sim, arena, s->rest, &words));
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
 	status = ts_dump_modify_words(sim, "write_dump modify", dump, s->modify, arena, where);
-	((struct ts_dump_common *)dump->state)->single = !((struct ts_dump_common *)dump->state)->append;
-	((struct ts_dump_common *)dump->state)->once = true;
+	common = dump->state;
+	common->single = !common->append;
+	common->once = true;
 	if (status == TS_OK && !sim->reading.explain)
 		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
 	if (status == TS_OK)

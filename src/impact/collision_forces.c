@@ -91,7 +91,7 @@ void ts_colliding_evaluate(const struct ts_colliding *o, const double *y, struct
 	t->overlap = m->q;
 	t->distance = t->radius[0] - m->q;
 	t->vn = -m->u;
-	ts_normal_force(&o->model, o->law, t, false, &none, &m->n);
+	ts_normal_force(&o->model, o->law, t, &none, &m->n);
 	ts_granular_arms(&o->model, t);
 	m->lever = t->lever[0];
 	m->arm = t->arm[0];

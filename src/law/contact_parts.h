@@ -59,7 +59,7 @@ static inline void ts_parts_normal(const struct ts_granular_model *m, const stru
 	at_rest.viscous = false; /* belongs to the dashpot */
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
 		deepest = memory[ts_granular_depth_at(m)];
-	ts_normal_force(&at_rest, c, &still, true, &deepest, &n);
+	ts_normal_force(&at_rest, c, &still, &deepest, &n);
 	elastic = n.force;
 	ts_scale(elastic + pull, t->n, out->force[TS_PART_NORMAL]);
 	ts_scale(force - elastic - pull, t->n, out->force[TS_PART_DASHPOT]);
@@ -94,7 +94,7 @@ static inline void ts_contact_split(const struct ts_granular_model *m, const str
 	ts_parts_normal(m, c, t, memory, normal, out);
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
 		deepest = memory[ts_granular_depth_at(m)];
-	ts_normal_force(m, c, t, false, &deepest, &n);
+	ts_normal_force(m, c, t, &deepest, &n);
 	ts_parts_spring(m, c, &n, memory, out->force[TS_PART_SHEAR]);
 	for (int k = 0; k < 3; k++)
 		out->force[TS_PART_VISCOUS][k] = total[k] - normal * t->n[k] - out->force[TS_PART_SHEAR][k];
@@ -126,7 +126,7 @@ static inline double ts_slip_loss(const struct ts_granular_model *m, const struc
 		return 0;
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
 		deepest = after[ts_granular_depth_at(m)];
-	ts_normal_force(m, c, t, false, &deepest, &n);
+	ts_normal_force(m, c, t, &deepest, &n);
 	slider = ts_tangential_slider_of(m, c, &n);
 	if (!(n.kt > 0) || (ts_norm(before) == 0 &&
 			    ts_norm(after) > 1.001 * dt * ts_norm(t->slip) * (slider.force ? n.kt : 1)))

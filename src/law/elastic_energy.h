@@ -94,7 +94,7 @@ static inline double ts_granular_energy(const struct ts_granular_model *m, const
 	struct ts_normal n;
 	double deepest = 0;
 
-	ts_normal_force(m, c, t, false, &deepest, &n);
+	ts_normal_force(m, c, t, &deepest, &n);
 	return ts_normal_energy(m, c, t, &n) + ts_cohesion_energy(m, c, t) +
 	       ts_tangential_energy(m, c, &n, memory) + ts_turning_energy(m, c, t, &n, memory);
 }

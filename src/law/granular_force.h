@@ -222,7 +222,7 @@ TS_INLINE void ts_granular_contact(const struct ts_granular_model *m, const stru
 		ts_granular_bridge_contact(m, c, t, memory, out);
 		return;
 	}
-	ts_normal_force(m, c, t, true, memory + ts_granular_depth_at(m), &n);
+	ts_normal_force(m, c, t, memory + ts_granular_depth_at(m), &n);
 	if (m->located) {
 		ts_granular_locate(m, t, dt, advance, memory, &n, &now);
 		t = &now;

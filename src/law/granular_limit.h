@@ -49,7 +49,7 @@ static inline struct ts_normal ts_granular_constants_at(const struct ts_granular
 
 	dry.viscous = false;
 	if (m->normal != TS_NORMAL_OFF)
-		ts_normal_force(&dry, c, &t, false, &deepest, &f);
+		ts_normal_force(&dry, c, &t, &deepest, &f);
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
 		f.kn *= fmax(c->unloading, 1);
 	if (ts_granular_stiffens(m))

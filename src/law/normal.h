@@ -98,9 +98,9 @@ TS_INLINE void ts_normal_modulus(const struct ts_granular_pair *c, const struct 
 	f->gamman = f->gammat = ts_hooke_damping(f->kn, t->m_eff, c->log_restitution);
 }
 
-/* Elastic force of hooke/hysteresis. *deepest: largest overlap so far; changed only if `advance`. */
+/* Elastic force of hooke/hysteresis. *deepest: largest overlap so far. */
 TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t, double k1,
-				     bool advance, double *deepest)
+				     double *deepest)
 {
 	double k2max = c->unloading * k1, kc = c->adhesion * k1, delta = t->overlap;
 	double softening = k2max / (k2max - k1), deepest_now = *deepest > delta ? *deepest : delta, k2, force,
@@ -119,12 +119,12 @@ TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const str
 			      ? faded
 			      : deepest_now; /* on the adhesive branch the stored overlap decreases */
 	force = force < adhesion ? adhesion : force;
-	*deepest = advance ? deepest_now : *deepest;
+	*deepest = deepest_now;
 	return force;
 }
 
 TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-			       const struct ts_touch *t, bool advance, double *deepest, struct ts_normal *f)
+			       const struct ts_touch *t, double *deepest, struct ts_normal *f)
 {
 	double elastic;
 
@@ -166,7 +166,7 @@ TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct t
 		f->gammat = 0;
 	elastic = f->kn * t->overlap;
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
-		elastic = ts_hysteretic_force(c, t, f->kn, advance, deepest);
+		elastic = ts_hysteretic_force(c, t, f->kn, deepest);
 	if (ts_normal_by_area(m))
 		elastic = ts_normal_area_force(m, c, t, f);
 	f->force = elastic - f->gamman * t->vn;

@@ -177,7 +177,7 @@ START_TEST(sticky_surfaces)
 		struct ts_touch t = { .r_eff = r, .m_eff = 1, .overlap = delta };
 		struct ts_normal n;
 
-		ts_normal_force(&m, &stuff, &t, false, NULL, &n);
+		ts_normal_force(&m, &stuff, &t, NULL, &n);
 		ck_assert_double_eq_tol(a * a / r - 2 * sqrt(q * a), delta, 1e-9 * (reach + fabs(delta)));
 		ck_assert_double_ge(n.force, -most * (1 + 1e-9));
 		if (k == 0)
@@ -265,12 +265,12 @@ START_TEST(impact_has_the_force_of_the_law)
 	struct ts_normal n;
 	double deepest = 0;
 
-	ts_normal_force(&m, &stuff, &t, false, &deepest, &n);
+	ts_normal_force(&m, &stuff, &t, &deepest, &n);
 	ck_assert_double_gt(n.gamman, 0);
 	o = ts_impact_of(&m, &t, &n);
 	for (int k = 0; k < 3; k++) {
 		t = touch(0.0123, 0.0231, overlaps[k], false);
-		ts_normal_force(&m, &stuff, &t, false, &deepest, &n);
+		ts_normal_force(&m, &stuff, &t, &deepest, &n);
 		close_to(ts_impact_force(&o, overlaps[k], 0), n.kn * overlaps[k], 1e-13);
 		close_to(ts_impact_force(&o, overlaps[k], 0.73) - ts_impact_force(&o, overlaps[k], 0),
 			 0.73 * n.gamman, 1e-11);

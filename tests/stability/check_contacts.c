@@ -59,7 +59,7 @@ static double load(const struct contact *c)
 	struct ts_normal f;
 	double deepest = 0;
 
-	ts_normal_force(&c->model, &c->pair, &t, false, &deepest, &f);
+	ts_normal_force(&c->model, &c->pair, &t, &deepest, &f);
 	return f.force;
 }
 
