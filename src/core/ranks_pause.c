@@ -1,6 +1,5 @@
 #include "core/ranks_pause.h"
 
-#include "core/fingerprint.h"
 #include "core/ranks.h"
 
 #include "base/banned.h"
@@ -25,20 +24,6 @@ void ts_ranks_end_pause(struct tsim *sim)
 	sim->run.paused = NULL;
 }
 
-/* Whether anything that forces depend on has changed since the run. The order of the particles is not the same on all
- * ranks, and so neither is the fingerprint. */
-static enum ts_status find_changed(struct tsim *sim, bool *changed)
-{
-	bool differs;
-	double most;
-
-	TS_TRY(ts_fingerprint_differs(sim, sim->run.fingerprint, &differs));
-	most = differs;
-	ts_world_most(sim->world, &most, 1);
-	*changed = most > 0;
-	return TS_OK;
-}
-
 bool ts_ranks_have_read(const struct ts_plan *plan)
 {
 	return plan && !plan->n[TS_STAGE_BUILD];
@@ -47,14 +32,14 @@ bool ts_ranks_have_read(const struct ts_plan *plan)
 /* All ranks get all particles, with their lists or for a look. */
 static enum ts_status get_all(struct tsim *sim, struct ts_plan *plan, bool lists)
 {
-	bool changed = false;
+	bool unchanged = true;
 
 	if (!ts_ranks_have_read(plan))
-		TS_TRY(find_changed(sim, &changed));
+		TS_TRY(ts_plan_is_unchanged(sim, &unchanged));
 	sim->run.inside = true;
 	TS_TRY(lists ? ts_plan_have_all(plan, sim) : sim->tables->gather(plan, sim, false));
 	sim->run.inside = false;
-	sim->run.fingerprint = changed ? 0 : sim->run.fingerprint;
+	sim->run.fingerprint = unchanged ? sim->run.fingerprint : 0;
 	return TS_OK;
 }
 

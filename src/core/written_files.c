@@ -49,8 +49,7 @@ static enum ts_status refuse(struct tsim *sim, const struct written *file, const
 {
 	return ts_fail(&sim->error, TS_STATE, &file->by->where,
 		       "%s %s writes to '%s', and so does %s %s (%s:%d): each would destroy what the other "
-		       "has "
-		       "written; give them files of their own",
+		       "has written; give them files of their own",
 		       ts_kind_name(file->by->style->kind), file->by->id, file->path,
 		       ts_kind_name(other->style->kind), other->id, TS_FILE_AND_LINE(other->where));
 }
