@@ -78,7 +78,7 @@ $(surface_of plane)
 fix hits all surface/impacts surface cad
 compute all all reduce sum f_hits[11]
 run 0
-print \$(c_all)" 'column [11] asked for, it has 10'
+print \$(c_all)" 'fix hits (surface/impacts) has no [11], the last is [10]'
 rejects "$(cat in.head)
 $(surface_of plane)
 fix hits all surface/impacts surface cad density 3" "unknown keyword 'density'"
