@@ -270,8 +270,10 @@ enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_word
 	const struct ts_word id = { .text = "", .place = line.word[0].place };
 	const struct ts_style *style;
 
-	if (line.n == 1 && ts_streq(line.word[0].text, "none"))
+	if (line.n == 1 && ts_streq(line.word[0].text, "none")) {
+		ts_unclaimed_waive(sim, kind);
 		return ts_sim_only(sim, kind) ? ts_sim_destroy(sim, kind, &id) : TS_OK;
+	}
 	TS_TRY(ts_style_require(sim, kind, &line.word[0], &style));
 	return ts_sim_create(sim, kind, style, "", 0, ts_words_from(line, 1), where, NULL);
 }

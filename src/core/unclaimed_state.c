@@ -159,7 +159,37 @@ enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, st
 	return status;
 }
 
-void ts_unclaimed_report(struct tsim *sim)
+bool ts_unclaimed_is_model(enum ts_kind kind)
+{
+	return kind == TS_KIND_PAIR || kind == TS_KIND_BOND || kind == TS_KIND_FLOW;
+}
+
+void ts_unclaimed_waive(struct tsim *sim, enum ts_kind kind)
+{
+	for (struct ts_unclaimed *p = sim->unclaimed; p; p = p->next)
+		if (p->kind == kind)
+			p->reported = true;
+}
+
+static bool is_defined(const struct tsim *sim, enum ts_kind kind)
+{
+	return sim->instances[kind].n > 0;
+}
+
+static void report_models(struct tsim *sim)
+{
+	for (struct ts_unclaimed *p = sim->unclaimed; p; p = p->next) {
+		if (p->reported || !ts_unclaimed_is_model(p->kind) || is_defined(sim, p->kind))
+			continue;
+		p->reported = true;
+		ts_warn(&sim->log, NULL,
+			"the restart file was written with %s_style %s, which is not defined "
+			"again: this run is without it",
+			ts_kind_name(p->kind), p->style);
+	}
+}
+
+static void report_outputs(struct tsim *sim)
 {
 	const char *before = "Saved in the restart file, but not defined again so far: ";
 
@@ -172,6 +202,12 @@ void ts_unclaimed_report(struct tsim *sim)
 	}
 	if (*before == ',')
 		ts_log(&sim->log, "\n");
+}
+
+void ts_unclaimed_report(struct tsim *sim)
+{
+	report_models(sim);
+	report_outputs(sim);
 }
 
 void ts_unclaimed_free(struct tsim *sim)

@@ -16,10 +16,16 @@ enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, st
 /* Whether there is state for this instance; then its init must not set initial values. */
 bool ts_unclaimed_exists(const struct tsim *sim, const struct ts_instance *inst);
 
+/* Pair, bond and flow styles: a run without them has other forces, or no fluid. */
+bool ts_unclaimed_is_model(enum ts_kind kind);
+
 /* Writes an instance to a restart file: its present arguments, then its state. */
 enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, struct ts_archive *archive);
-/* Reports once in the log which fixes and computes of the restart file the script has not defined again. */
+/* Reports once which styles of the restart file the script has not defined again: fixes and computes in the log, a pair,
+ * bond or flow style with a warning. */
 void ts_unclaimed_report(struct tsim *sim);
+/* The script has said that it does without styles of this kind (`pair_style none`): they are not reported. */
+void ts_unclaimed_waive(struct tsim *sim, enum ts_kind kind);
 void ts_unclaimed_free(struct tsim *sim);
 
 #endif

@@ -106,7 +106,7 @@ const struct ts_style ts_compute_film = {
 	       "  1            load: sum of p - ambient over the area, pushes the surfaces apart\n"
 	       "  2, 3         x and y of the centre of pressure; NaN without a load\n"
 	       "  4, 5, 6      largest pressure, and its x and y; by a parabola through the highest cells\n"
-	       "  7            smallest gap\n"
+	       "  7            smallest gap; 4 to 7 are NaN where no cell has fluid\n"
 	       "  8, 9         shear force of the fluid on the lower surface, along x and y\n"
 	       "  10, 11       the same on the upper surface\n"
 	       "  12, 13       forces of the pressure along x and y, on both surfaces together: the sum of "

@@ -182,6 +182,8 @@ void ts_film_release(struct ts_film *f);
 /* Checks all input. Errors: TS_RANGE for values (gap, viscosity ...), TS_STATE for a part of the film whose pressure
  * is not determined, because no pressure is given on its border and it may not float. */
 enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error);
+/* Whether any cell is not solid. */
+bool ts_film_has_fluid(const struct ts_film *f);
 
 /* The least gap for which the film is known: 0, or a multiple of the roughness. */
 double ts_film_least_gap(const struct ts_film *f);

@@ -126,6 +126,14 @@ static enum ts_status check_cell(const struct ts_film *f, int i, int j, struct t
 	return TS_OK;
 }
 
+bool ts_film_has_fluid(const struct ts_film *f)
+{
+	for (size_t c = 0; c < ts_film_cells(f); c++)
+		if (f->kind[c] != TS_FILM_SOLID)
+			return true;
+	return false;
+}
+
 enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error)
 {
 	TS_TRY(check_constants(f, error));

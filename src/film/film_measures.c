@@ -185,6 +185,7 @@ static double rise_along(const struct ts_film *f, int axis, const int top[2], do
 	return parabola_top(x, p, at);
 }
 
+/* Some cell has fluid. */
 static void find_maximum(const struct ts_film *f, struct ts_film_measures *m)
 {
 	double x[2];
@@ -225,5 +226,8 @@ void ts_film_measure(const struct ts_film *f, struct ts_film_measures *m)
 	for (int axis = 0; axis < 2; axis++)
 		m->centre[axis] = fabs(m->load) > ROUND_OFF * m->pressed ? m->centre[axis] / m->load : NAN;
 	add_edges(f, m);
-	find_maximum(f, m);
+	if (ts_film_has_fluid(f))
+		find_maximum(f, m);
+	else
+		m->least_gap = m->p_max = m->p_max_at[0] = m->p_max_at[1] = NAN;
 }

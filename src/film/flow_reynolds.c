@@ -186,9 +186,12 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 	s->input = input;
 	if (!s->flow.film.report.driven && !s->told) {
 		s->told = true;
-		ts_warn(&sim->log, &self->where,
-			"flow_style reynolds: the surfaces neither slide nor approach each other, and the "
-			"pressure is the same at all edges: the fluid is at rest");
+		ts_warn(&sim->log, &self->where, "flow_style reynolds: %s",
+			ts_film_has_fluid(&s->flow.film)
+				? "the surfaces neither slide nor approach each other, and the pressure is "
+				  "the "
+				  "same at all edges: the fluid is at rest"
+				: "the surfaces touch everywhere: there is no fluid");
 	}
 	return TS_OK;
 }

@@ -633,7 +633,9 @@ static void fini(struct ts_instance *self)
 					"centre, in radian per time"),                                       \
 		TS_VEC3("centre", struct state, centre, .flags = TS_OPTIONAL, .unit = "length",              \
 			.help = "reference point of the rotation and of the torque; default: the centre of " \
-				"the bounding box of the region or field, the mean of the mesh's corners")
+				"the bounding box of the region (which ends with the box where it has no "   \
+				"end) or field, "                                                            \
+				"the mean of the mesh's corners")
 #define ITERATIONS                                                                                          \
 	TS_INT("iterations", struct state, iterations, .fallback = "3", .range = TS_WITHIN, .lo = 1,        \
 	       .hi = 100,                                                                                   \

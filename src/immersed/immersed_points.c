@@ -331,6 +331,15 @@ static enum ts_status describe_near_point(struct search *s, const struct place *
 	return surface->distance > 0 ? add_outer_point(s, at->x, surface, &e) : TS_OK;
 }
 
+/* A face of a body that lies on faces of cells is inside at all of them: rounding must not choose. */
+static void settle_on_surface(const struct place *at, struct ts_solid_surface *surface)
+{
+	const double round_off = 1e-9;
+
+	if (fabs(surface->distance) < round_off * at->reach)
+		surface->distance = 0;
+}
+
 /* Searches a row along x: a point far from the surface is on the same side as the point before. */
 static enum ts_status search_row(struct search *s, int j, int k)
 {
@@ -346,6 +355,7 @@ static enum ts_status search_row(struct search *s, int j, int k)
 		TS_TRY(s->solid->kind->find_surface(s->solid, s->worker, s->part, at.x, at.reach, &side,
 						    &surface));
 		if (side == TS_SOLID_NEAR) {
+			settle_on_surface(&at, &surface);
 			where = surface.distance > 0 ? OUT : IN;
 			TS_TRY(add_point(s, &at, surface.distance));
 			if (s->last)

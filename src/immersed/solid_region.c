@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "box/domain.h"
 #include "math/vec3.h"
 #include "region/region.h"
 
@@ -57,15 +58,16 @@ static void motion_between(const struct ts_region *r, const struct ts_solid_pose
 	}
 }
 
-/* Centre of the shape as defined, before it moves. */
-static void shape_centre(const struct region *s, double home[3])
+/* Centre of the shape as defined, before it moves; where it has no end, it ends with the box. */
+static void shape_centre(const struct region *s, const struct tsim *sim, double home[3])
 {
 	const struct ts_region_style *style = (const struct ts_region_style *)s->instance->style;
 	double lo[3], hi[3];
 
 	style->bounds(s->instance, lo, hi);
 	for (int k = 0; k < 3; k++)
-		home[k] = isfinite(lo[k]) && isfinite(hi[k]) ? 0.5 * (lo[k] + hi[k]) : 0;
+		home[k] = 0.5 * ((isfinite(lo[k]) ? lo[k] : sim->domain->box.lo[k]) +
+				 (isfinite(hi[k]) ? hi[k] : sim->domain->box.hi[k]));
 	if (s->prescribed->centre)
 		memcpy(home, s->prescribed->motion.centre, sizeof s->prescribed->motion.centre);
 }
@@ -94,7 +96,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 
 	TS_TRY(ts_region_update(s->instance, sim));
 	now = region_pose(r, ts_sim_time(sim));
-	shape_centre(s, home);
+	shape_centre(s, sim, home);
 	transform_point(r, &now, home, m->centre);
 	solid->moved = !s->before->seen || (style->update && shape_varies(sim, s->instance)) ||
 		       memcmp(&now, s->before, offsetof(struct ts_solid_pose, time)) != 0;

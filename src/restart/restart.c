@@ -177,6 +177,12 @@ static enum ts_status write_instance(struct writer *w, struct ts_instance *inst)
 	return status;
 }
 
+/* Of a pair, bond or flow style at least the name and the arguments: the run that reads the file warns if it has none. */
+static bool is_saved(const struct ts_style *style)
+{
+	return style->saved || style->archive || ts_unclaimed_is_model(style->kind);
+}
+
 static enum ts_status write_all(struct writer *w)
 {
 	const uint32_t mark[2] = { TS_RESTART_BYTE_ORDER_MARK, TS_RESTART_VERSION };
@@ -191,7 +197,7 @@ static enum ts_status write_all(struct writer *w)
 		struct ts_instances *list = &w->sim->instances[saved_kinds[k]];
 
 		for (size_t i = 0; i < list->n; i++)
-			if (list->item[i]->style->saved || list->item[i]->style->archive)
+			if (is_saved(list->item[i]->style))
 				TS_TRY(write_instance(w, list->item[i]));
 	}
 	end[1] = w->sum;

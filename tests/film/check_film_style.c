@@ -241,6 +241,15 @@ START_TEST(voxel_step)
 	DECK_NEAR(deck_value(sim, "c_film[14]"), 0, 1e-12);
 	DECK_NEAR(deck_value(sim, "c_film[18]"), 0.1 * 0.7 * 0.5, 1e-12);
 	tsim_close(sim);
+	sim = deck_open(scene, "0", "0.1"); /* no fluid at all */
+	DECK_NEAR(deck_value(sim, "c_film[1]"), 0, 0);
+	for (int column = 4; column <= 7; column++) {
+		char name[16];
+
+		snprintf(name, sizeof name, "c_film[%d]", column);
+		ck_assert_msg(isnan(deck_value(sim, name)), "%s", name);
+	}
+	tsim_close(sim);
 }
 END_TEST
 

@@ -57,6 +57,14 @@ printf 'read_restart first.restart\npair_style spring/dashpot\nfix g all gravity
 "$TSIM" -in in.few -log few.log -screen none 2>err
 [ "$(grep -c 'not defined again so far: .*fix other (vector)' few.log)" = 1 ]
 report 'what is not used is said once' $? few.log
+printf 'read_restart first.restart\nfix g all gravity 9.81 vector 0 0 -1\nrun 0\nrun 0\n' >in.fewer
+"$TSIM" -in in.fewer -log fewer.log -screen none
+[ "$(grep -c 'written with pair_style spring/dashpot, which is not defined again' fewer.log)" = 1 ]
+report 'a run without the pair style of the file' $? fewer.log
+sed -i 's/^fix g/pair_style none\n&/' in.fewer
+"$TSIM" -in in.fewer -log fewer.log -screen none
+! grep 'pair_style.*which is not defined again' fewer.log
+report 'pair_style none' $? fewer.log
 
 # what the state does not depend on may change, and the log says so
 cat >in.bit <<END
