@@ -160,7 +160,7 @@ static void markers(struct ts_plot_canvas *c, const struct ts_plot_vertex *at, s
 static void draw_letter(const struct raster *r, double x, double y, double size, char letter, double width)
 {
 	for (int i = 0; i < 5; i++)
-		for (int j = 0; j < 7; j++) {
+		for (int j = 0; j < TS_LETTER_ROWS; j++) {
 			static const int step[4][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { -1, 1 } };
 			const double px = x + size * (i + 0.5), py = y + size * (j + 0.5);
 
