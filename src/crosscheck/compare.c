@@ -60,6 +60,8 @@ static void update_range(struct ts_compared *c, int who, const struct ts_frame *
 		side->padded |= w->padded;
 		side->digits = w->digits > side->digits ? w->digits : side->digits;
 		side->decimals = w->decimals > side->decimals ? w->decimals : side->decimals;
+		if (w->word) /* differs from all others, whatever the scale */
+			continue;
 		c->lo = fmin(c->lo, w->value);
 		c->hi = fmax(c->hi, w->value);
 	}
@@ -125,6 +127,8 @@ static void set_scales(struct ts_pairing *p)
 	for (size_t k = 0; k < p->columns; k++) {
 		struct ts_compared *c = &p->column[k];
 
+		if (!(c->lo <= c->hi))
+			c->lo = c->hi = 0; /* no number at all */
 		c->scale = fmax(c->hi - c->lo, 1e-3 * fmax(fabs(c->lo), fabs(c->hi)));
 	}
 	for (size_t k = 0; k < p->columns; k++) {
@@ -342,10 +346,12 @@ static enum ts_status sort_column(struct pass *w, int who, struct ts_compared *c
 		return ts_nomem(w->reader[who].err);
 	v = w->sorted[who];
 	for (size_t row = 0; row < f->rows; row++) {
-		double d;
+		const struct ts_printed *cell = &f->cell[row * f->columns + k];
+		const double d = cell->value - c->lo;
 
-		v[row] = f->cell[row * f->columns + k].value;
-		d = v[row] - c->lo;
+		v[row] = cell->value;
+		if (cell->word)
+			continue;
 		side->n_after++;
 		side->sum += d;
 		side->squares += d * d;

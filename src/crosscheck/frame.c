@@ -30,6 +30,7 @@ struct ts_printed ts_printed(const char *word)
 
 	if (!ts_parse_real(word, &p.value)) {
 		p.value = hash_value(word + (*word == '-' && ts_printed_is_number(word)));
+		p.word = true;
 		return p;
 	}
 	for (const char *c = word; *c && !exponent; c++) {

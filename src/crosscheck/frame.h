@@ -13,6 +13,7 @@ struct ts_printed {
 	double value; /* if the word is not a number: its hash */
 	int digits;   /* significant digits */
 	int decimals; /* digits after the decimal point; -1: no point, no exponent */
+	bool word;    /* not a number: a name, nan, inf */
 	bool padded;  /* ends in a zero after the point, without exponent: a fixed format such as %.3f */
 };
 struct ts_printed ts_printed(const char *word);

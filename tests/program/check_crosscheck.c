@@ -313,6 +313,25 @@ START_TEST(averages)
 }
 END_TEST
 
+/* nan in both programs does not make other differences small; nan in one of them differs from any number. */
+START_TEST(not_numbers)
+{
+	struct ts_pairing p = compared(TS_FRAMES_DUMP, DUMP("0", "3", "1 nan 0\n2 2 inf\n3 3 1\n"),
+				       DUMP("0", "3", "1 -nan 0\n2 2.5 inf\n3 3 nan\n"));
+	const struct ts_compared *vx = column(&p, "vx"), *vy = column(&p, "vy");
+
+	ck_assert(vx->diverged && vy->diverged);
+	ck_assert_double_eq_tol(vx->most, 0.5, 1e-4);
+	ck_assert_double_gt(vy->most, 1);
+	ck_assert_int_eq(ts_compare_statistics(&p, 0, &sim->error, sim->pool), TS_OK);
+	ck_assert_double_eq_tol(vx->mean, 0.25, 1e-12);
+	ts_compare_release(&p);
+	p = compared(TS_FRAMES_DUMP, DUMP("0", "1", "1 nan 0\n"), DUMP("0", "1", "1 nan 0\n"));
+	ck_assert(!column(&p, "vx")->diverged);
+	ts_compare_release(&p);
+}
+END_TEST
+
 /* Any text: words are the same or not, numbers are compared. */
 START_TEST(texts)
 {
@@ -476,6 +495,7 @@ int main(void)
 	tcase_add_test(tc, differences_on_purpose);
 	tcase_add_test(tc, statistics);
 	tcase_add_test(tc, averages);
+	tcase_add_test(tc, not_numbers);
 	tcase_add_test(tc, texts);
 	tcase_add_test(tc, vtk_files);
 	tcase_add_test(tc, inputs);
