@@ -149,6 +149,8 @@ static enum ts_status create_single(struct tsim *sim, const struct create_bonds 
 
 static void warn_no_bond(struct tsim *sim, const struct create_bonds *c)
 {
+	if (sim->reading.planned) /* particles are not where they will be */
+		return;
 	if (c->mode == SINGLE)
 		ts_warn(&sim->log, c->where,
 			"create_bonds created no bond: particles %" PRId64 " and %" PRId64
