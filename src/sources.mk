@@ -160,6 +160,7 @@ library_sources = \
 	src/bond/bond_force.c \
 	src/bond/bond_force.h \
 	src/bond/bond_gran.c \
+	src/bond/bond_harmonic.c \
 	src/bond/bond_loop.h \
 	src/bond/bond_moment.c \
 	src/bond/bond_moment.h \

@@ -17,6 +17,7 @@ shell_tests = \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
 	tests/bond/bpm.sh \
+	tests/bond/harmonic.sh \
 	tests/bond/parallel.sh \
 	tests/bond/special_bonds.sh \
 	tests/box/box.sh \

@@ -235,6 +235,7 @@ enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struc
 		bond->coeffs.given[t] = true;
 	}
 	sim->bonds->rows.filled = false;
+	ts_bonds_set_lengths(sim);
 	return TS_OK;
 }
 
@@ -250,6 +251,7 @@ enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "there are bonds of type %d, but no `bond_coeff %d ...`",
 				       bonds->type[b], bonds->type[b]);
+	ts_bonds_set_lengths(sim);
 	TS_TRY(ts_bonds_soften(sim, any_type_softens(self, sim)));
 	if (ts_bond_style_of(self)->element)
 		return ts_bond_moments_require(self, sim);

@@ -136,6 +136,8 @@ struct ts_bond_style {
 	/* Their law, if it is not that of law/bond_element.h with dashpots and largest stresses; `compute` may
 	 * then be TS_BOND_SINGLE_LOOP with it (bond/bond_single_loop.h). NULL: it is. */
 	ts_bond_single_law *law;
+	/* Length without force, if the coefficients give it; NULL: that with which the bond was created. */
+	double (*length)(const void *coeff);
 	double (*stiffness)(const void *coeff, double rest); /* the largest */
 	/* Force without damping, > 0 attractive, and elastic energy at this extension; NULL if the law has no
 	 * potential. */
@@ -155,9 +157,11 @@ static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_insta
 	return (const struct ts_bond_style *)inst->style;
 }
 
-/* Adds a bond with the rest length `rest`, without a check whether the pair is bonded already. Sort the
+/* Adds a bond with the rest length `rest`, unless the coefficients give another one, without a check whether the pair is bonded already. Sort the
  * list by ts_bonds_sort after a series. */
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
+/* Lengths that the coefficients give become those of the bonds. */
+void ts_bonds_set_lengths(struct tsim *sim);
 void ts_bonds_sort(struct ts_bonds *bonds);
 bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b);	   /* sorted list */
 bool ts_bonds_has_old(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* which is not fresh */

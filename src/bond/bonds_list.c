@@ -78,6 +78,25 @@ enum ts_status ts_bonds_soften(struct tsim *sim, bool softens)
 	return TS_OK;
 }
 
+/* Of a bond of this type: what its coefficients give, otherwise `rest`. */
+static double length_without_force(const struct tsim *sim, int type, double rest)
+{
+	const struct ts_instance *style = ts_sim_only(sim, TS_KIND_BOND);
+	const struct ts_coeffs *coeffs = style ? &((const struct ts_bond *)style->state)->coeffs : NULL;
+
+	if (!style || !ts_bond_style_of(style)->length || type >= (int)coeffs->n || !coeffs->given[type])
+		return rest;
+	return ts_bond_style_of(style)->length(ts_coeff(coeffs, (size_t)type));
+}
+
+void ts_bonds_set_lengths(struct tsim *sim)
+{
+	struct ts_bonds *b = sim->bonds;
+
+	for (size_t k = 0; k < b->n; k++)
+		b->rest[k] = length_without_force(sim, b->type[k], b->rest[k]);
+}
+
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest)
 {
 	struct ts_bonds *b = sim->bonds;
@@ -87,7 +106,7 @@ enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int 
 	b->tag[b->n][0] = tag_a < tag_b ? tag_a : tag_b;
 	b->tag[b->n][1] = tag_a < tag_b ? tag_b : tag_a;
 	b->type[b->n] = type;
-	b->rest[b->n] = rest;
+	b->rest[b->n] = length_without_force(sim, type, rest);
 	b->tension[b->n] = 0;
 	b->fresh[b->n] = 1;
 	if (b->transmits) {

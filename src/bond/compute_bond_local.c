@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "bond/bond_moment.h"
+#include "contact/contact_energy.h"
 #include "contact/pair_columns.h"
 #include "core/name_list.h"
 
@@ -16,6 +17,16 @@ struct state {
 static double column_rest_length(const struct tsim *sim, const struct ts_contact_view *view)
 {
 	return sim->bonds->rest[view->row];
+}
+
+static double column_energy(const struct tsim *sim, const struct ts_contact_view *view)
+{
+	double energy[TS_BOND_MODES], sum = 0;
+
+	ts_bond_energy(sim, view->row, energy);
+	for (int mode = 0; mode < TS_BOND_MODES; mode++)
+		sum += energy[mode];
+	return sum;
 }
 
 /* ---- bonds that transmit moments */
@@ -62,6 +73,7 @@ OF_LOAD(column_tz, 2)
 /* The columns from `shear` on are those of bonds that transmit moments. */
 static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS,
 						 { "rest", column_rest_length },
+						 { "engpot", column_energy },
 						 { "shear", column_shear },
 						 { "bending", column_bending },
 						 { "twist", column_twist },
@@ -112,6 +124,14 @@ static enum ts_status init_columns(struct ts_instance *self, struct tsim *sim)
 	return refuse_central_springs(self, sim);
 }
 
+static bool shows_energy(const struct state *s)
+{
+	for (size_t k = 0; k < s->list.n; k++)
+		if (columns[s->list.item[k]].value == column_energy)
+			return true;
+	return false;
+}
+
 static bool is_in_group(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
 	const int32_t *row = sim->bonds->row[r];
@@ -132,11 +152,13 @@ static enum ts_status require_bond_style(struct tsim *sim, const struct ts_insta
 
 static enum ts_status eval_list(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
+	static const struct ts_contact_energy_parts of_bonds = { .bond = true };
 	const struct state *s = self->state;
 	size_t rows = sim->bonds->n, n = 0;
 
 	TS_TRY(require_bond_style(s->sim, self));
-	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(shows_energy(s) ? ts_contact_energy_require(s->sim, self, &of_bonds)
+			       : ts_contacts_require(s->sim, self));
 	TS_TRY(ts_table_resize(out, rows, s->list.n));
 	for (size_t r = 0; r < rows; r++) {
 		struct ts_contact_view view;
@@ -164,7 +186,8 @@ static const struct ts_value values[] = {
 
 static const struct ts_arg args[] = {
 	TS_REST("columns", struct state, words,
-		.help = "dist, rest, force, fx, fy, fz, dx, dy, dz; shear, bending, twist, tx, ty, tz, "
+		.help = "dist, rest, engpot, force, fx, fy, fz, dx, dy, dz; shear, bending, twist, tx, ty, "
+			"tz, "
 			"sigma, tau, sigma_c, tau_c, ratio, mode"),
 	TS_ARGS_END,
 };
@@ -176,7 +199,8 @@ const struct ts_style ts_compute_bond_local = {
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "length, force, moments and stresses of each bond",
 	.doc = "A local array with one row for each bond whose partners are both in the group. Columns: dist "
-	       "(length), rest (rest length), force (force along the bond, > 0 repulsive), fx fy fz (force "
+	       "(length), rest (length without force), engpot (elastic energy), force (force along the bond, "
+	       "> 0 repulsive), fx fy fz (force "
 	       "on the partner with the smaller ID), dx dy dz (vector from the other partner to it). Of "
 	       "bonds that transmit moments also: shear (shear force), bending (bending moment) and twist "
 	       "(torque about the bond, with its sign), without damping; tx ty tz (torque on the partner "

@@ -99,7 +99,6 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	  "write `fix ID GROUP insert/rate/region seed S distributiontemplate D nparticles N particlerate "
 	  "RATE insert_every STEPS region REGION`" },
 	{ TS_KIND_FIX, "property/atom/timetracer", "its present name is property/atom/regiontracer/time" },
-	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
 	{ TS_KIND_FIX, "massflow/mesh/face",
 	  "faces of a mesh are not numbered; write a `fix mesh/surface` for each face, and for each of them "
 	  "`fix ID GROUP massflow/mesh mesh MESH vec_side X Y Z`" },

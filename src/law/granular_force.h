@@ -18,16 +18,17 @@ struct ts_granular_force {
 	double normal;	/* F_n including cohesion */
 };
 
+/* Whether contacts have torques; `wide`: those of other types may have them. */
 TS_INLINE bool ts_granular_turns(const struct ts_granular_model *m)
 {
-	return m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF ||
+	return m->wide || m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF ||
 	       m->twisting != TS_TWISTING_OFF || ts_cohesion_bridges(m);
 }
 
 /* Whether contacts have torques of rolling or twisting friction, which are opposite on both partners. */
 TS_INLINE bool ts_granular_rolls(const struct ts_granular_model *m)
 {
-	return m->rolling != TS_ROLLING_OFF || m->twisting != TS_TWISTING_OFF;
+	return m->wide || m->rolling != TS_ROLLING_OFF || m->twisting != TS_TWISTING_OFF;
 }
 
 /* Whether a law needs the two masses, not only m*. */

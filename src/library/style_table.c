@@ -19,6 +19,7 @@ TS_STYLE(bond, ts_bond_style, ts_bond_bpm_spring)
 TS_STYLE(bond, ts_bond_style, ts_bond_cohesion)
 TS_STYLE(bond, ts_bond_style, ts_bond_contact)
 TS_STYLE(bond, ts_bond_style, ts_bond_gran)
+TS_STYLE(bond, ts_bond_style, ts_bond_harmonic)
 TS_STYLE(bond, ts_bond_style, ts_bond_parallel)
 TS_STYLE(command, ts_command_style, ts_command_atom_modify)
 TS_STYLE(command, ts_command_style, ts_command_atom_style)
@@ -371,6 +372,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_bond_cohesion.style,
 	&ts_bond_contact.style,
 	&ts_bond_gran.style,
+	&ts_bond_harmonic.style,
 	&ts_bond_parallel.style,
 	&ts_command_atom_modify.style,
 	&ts_command_atom_style.style,

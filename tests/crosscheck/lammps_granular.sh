@@ -1,5 +1,5 @@
 #!/bin/bash
-# The granular pair styles of LAMMPS against LAMMPS, an independent program: five uneven spheres, one of them
+# The granular pair styles of LAMMPS, and bonds between spheres, against LAMMPS, an independent program: five uneven spheres, one of them
 # frozen, collide obliquely.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
@@ -49,6 +49,17 @@ laws=(
 for words in "${laws[@]}"; do
 	agrees granular "$words"
 done
+lmp -in "$decks/in.lammps_harmonic" -var out lammps -log none -screen none >err 2>&1
+report 'bonds: LAMMPS' $? err
+"$TSIM" -in "$decks/in.lammps_harmonic" -var out tsim -log none -screen none 2>err
+report 'bonds: tsim' $? err
+/usr/bin/python3 "$decks/compare.py" lammps.dump tsim.dump 2500 1e-10 >deviation 2>&1
+report 'bond harmonic' $? deviation
+rm -f ./*.dump
+
 agrees granular "1 * jkr 5.3e6 900 0.3 3 ${mindlin/ NULL/_rescale NULL} $sds twisting marshall" \
 	"2 2 hertz 7.3e6 200 $history rolling sds 4e4 2 0.23 damping mass_velocity"
+# the first law has no rolling friction, or no friction at all
+agrees granular "1 1 hertz 5.3e6 2e3 $history" "* 2 $material $mindlin $tsuji $sds twisting marshall"
+agrees granular '1 1 hooke 2.3e5 53 tangential linear_nohistory 0 0' "* 2 hooke 2.3e5 23 $history $sds"
 finish

@@ -271,7 +271,8 @@ syn keyword tsim_pair contained bpm/spring gran gran/hertz/history gran/hooke gr
 syn keyword tsim_pair contained granular spring/dashpot
 hi def link tsim_pair Type
 syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond
-syn keyword tsim_bond contained beam bpm/rotational bpm/spring cohesion contact gran parallel
+syn keyword tsim_bond contained beam bpm/rotational bpm/spring cohesion contact gran harmonic
+syn keyword tsim_bond contained parallel
 hi def link tsim_bond Type
 syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
 syn keyword tsim_flow contained projection reynolds stagnation uniform
