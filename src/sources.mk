@@ -219,6 +219,7 @@ library_sources = \
 	src/box/command_partitioner_style.c \
 	src/box/command_processors.c \
 	src/box/command_replicate.c \
+	src/box/command_suffix.c \
 	src/box/command_units.c \
 	src/box/domain.c \
 	src/box/domain.h \
@@ -1425,6 +1426,7 @@ library_sources = \
 	src/rough/rough_contact.h \
 	src/run/command_reset_timestep.c \
 	src/run/command_run.c \
+	src/run/command_run_style.c \
 	src/run/command_timer.c \
 	src/run/command_timestep.c \
 	src/run/fix_halt.c \

@@ -1,6 +1,7 @@
 /* Compute contact/atom: number of particles that overlap each particle. */
 #include "box/domain.h"
 #include "geom/pairs.h"
+#include "neigh/neigh.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -10,7 +11,9 @@ struct contact {
 };
 
 struct task {
+	const struct tsim *sim;
 	const struct ts_particles *p;
+	ts_excluded_fn *excluded; /* NULL: no pair is */
 	double *count;
 	int group, with;
 };
@@ -20,7 +23,8 @@ static void count_overlap(void *context, size_t i, size_t j, const double d[3])
 	const struct task *t = context;
 	double reach = t->p->radius[i] + t->p->radius[j];
 
-	if (ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->with))
+	if (ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->with) &&
+	    !(t->excluded && t->excluded(t->sim, i, j)))
 		t->count[i] += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
 }
 
@@ -28,7 +32,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 {
 	const struct contact *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	struct task task = { p, NULL, self->group, s->with < 0 ? 0 : s->with };
+	struct task task = { .sim = sim,
+			     .p = p,
+			     .excluded = ts_neigh_excluded(sim),
+			     .group = self->group,
+			     .with = s->with < 0 ? 0 : s->with };
 	double most = 0;
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
@@ -62,8 +70,11 @@ const struct ts_style ts_compute_contact_atom = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Number of contacts of each particle",
 	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance is "
-	       "less than the sum of the radii. It uses positions and radii only, so overlaps without a "
-	       "force (excluded pairs, no pair_style) count as well. Periodic images count.",
+	       "less than the sum of the radii, but not pairs excluded by neigh_modify, special_bonds or a "
+	       "common "
+	       "rigid body. It uses positions and radii only: without a pair_style overlaps count as well. "
+	       "Periodic "
+	       "images count.",
 	.example = "compute z all contact/atom\ncompute mean all reduce ave c_z",
 	.args = args,
 	.state_size = sizeof(struct contact),

@@ -13,6 +13,7 @@ enum { TS_MAX_GROUPS = 32 };
 
 struct ts_groups {
 	const char *name[TS_MAX_GROUPS]; /* by bit, owned by sim->pool; NULL: unused. name[0] is "all" */
+	bool told_empty;		 /* an output of a group without particles has been warned of */
 };
 
 /* The bit of a group, or -1. */

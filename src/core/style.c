@@ -50,7 +50,6 @@ static const struct alias {
 	const char *other, *usual;
 } aliases[] = {
 	{ TS_KIND_COMMAND, "create_particles", "create_atoms" },
-	{ TS_KIND_COMPUTE, "erotate", "erotate/sphere" },
 	{ TS_KIND_COMPUTE, "rigid", "multisphere" },
 	{ TS_KIND_DUMP, "stl", "mesh/stl" },
 	{ TS_KIND_DUMP, "mesh/gran/VTK", "mesh/vtk" },

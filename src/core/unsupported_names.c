@@ -17,7 +17,6 @@
 #define RESOLUTION                                                                                       \
 	"it belongs to the coupling of coarse and fine grains across the faces of a mesh, which is not " \
 	"supported"
-#define ACCELERATORS "all styles use threads without a suffix; see -threads"
 
 const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMMAND, "angle_*", MOLECULAR },
@@ -33,8 +32,6 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMMAND, "prd", MOLECULAR },
 	{ TS_KIND_COMMAND, "python",
 	  "Python in scripts is not supported; a Python program can run tsim (module tsim)" },
-	{ TS_KIND_COMMAND, "run_style", "the time integration is selected by fixes (nve ...)" },
-	{ TS_KIND_COMMAND, "suffix", ACCELERATORS },
 	{ TS_KIND_COMMAND, "tad", MOLECULAR },
 	{ TS_KIND_COMMAND, "temper", MOLECULAR },
 	{ TS_KIND_FIX, "bond/react", CHEMISTRY },

@@ -5,6 +5,7 @@
 
 #include "box/domain.h"
 #include "core/units.h"
+#include "io/decimal.h"
 #include "io/csv.h"
 #include "io/series.h"
 
@@ -88,24 +89,40 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 				d->append);
 }
 
-void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what)
+/* By all digits, so that rerun and read_dump get the same box; LIGGGHTS writes six. */
+static void add_bound(struct ts_dump_common *d, const struct tsim *sim, double bound, const char *behind)
+{
+	char text[TS_DECIMAL_SIZE];
+
+	if (sim->legacy == TS_LEGACY_LIGGGHTS) {
+		ts_str_addf(&d->text, "%g%s", bound, behind);
+		return;
+	}
+	ts_str_add_n(&d->text, text, ts_decimal_shortest(bound, text));
+	ts_str_add(&d->text, behind);
+}
+
+void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, bool local)
 {
 	static const char letter[] = "pfsm"; /* in the order of enum ts_face */
 	const struct ts_box *box = &sim->domain->box;
+	const char *what = !local ? "ATOMS" : d->label ? d->label : "ENTRIES";
 
 	if (d->units && (d->frames == 1 || one_file_per_frame(d)))
 		ts_str_addf(&d->text, "ITEM: UNITS\n%s\n", ts_units_name(sim->units));
 	if (d->time)
 		ts_str_addf(&d->text, "ITEM: TIME\n%.16g\n", ts_sim_time(sim));
 	ts_str_addf(&d->text, "ITEM: TIMESTEP\n%lld\n", (long long)sim->clock.step);
-	if (d->label)
+	if (d->label && !local)
 		ts_str_addf(&d->text, "ITEM: LABEL\n%s\n", d->label);
 	ts_str_addf(&d->text, "ITEM: NUMBER OF %s\n%zu\nITEM: BOX BOUNDS", what, d->nrows);
 	for (int k = 0; k < 3; k++)
 		ts_str_addf(&d->text, " %c%c", letter[box->face[k][0]], letter[box->face[k][1]]);
 	ts_str_add(&d->text, "\n");
-	for (int k = 0; k < 3; k++)
-		ts_str_addf(&d->text, "%g %g\n", box->lo[k], box->hi[k]);
+	for (int k = 0; k < 3; k++) {
+		add_bound(d, sim, box->lo[k], " ");
+		add_bound(d, sim, box->hi[k], "\n");
+	}
 	ts_str_addf(&d->text, "ITEM: %s ", what);
 	for (size_t k = 0; k < d->ncolumns; k++)
 		ts_str_addf(&d->text, "%s ", d->column[k].input.name);
@@ -165,7 +182,7 @@ enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool lo
 		return ts_dump_frame_done(d, sim);
 	}
 	if (!d->headless)
-		ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
+		ts_dump_header(d, sim, local);
 	TS_TRY(ts_dump_write_rows(d, sim, true));
 	return ts_dump_frame_done(d, sim);
 }

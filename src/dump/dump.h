@@ -124,8 +124,8 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bo
 enum ts_status ts_dump_write_table(struct ts_dump_common *d, struct tsim *sim);
 /* Opens the file of this frame if it is not open. */
 enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim);
-/* Adds the ITEM lines of a frame to common.text. `what`: "ATOMS" or "ENTRIES". */
-void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what);
+/* Adds the ITEM lines of a frame to common.text. `local`: of ENTRIES, or what `label` says, otherwise of ATOMS. */
+void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, bool local);
 /* `maxfiles`: remembers common.path, the file of this frame, and removes that of the oldest one. */
 enum ts_status ts_dump_keep_latest(struct ts_dump_common *d, struct tsim *sim);
 /* Flushes the file after a frame; closes it if there is one file per frame. */

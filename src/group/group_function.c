@@ -146,16 +146,31 @@ static double torque_term(const struct selection *c, size_t i, int a, int b)
 	return d[u] * c->p->f[i][w] - d[w] * c->p->f[i][u];
 }
 
-static enum ts_status find_centre(struct selection *c, const struct ts_word *name)
+/* A run must not end because an output finds nobody: the value is that of LAMMPS and LIGGGHTS, and is warned of once. */
+static void warn_empty(struct selection *c, const struct ts_word *name, const char *value)
+{
+	if (c->sim->groups.told_empty)
+		return;
+	c->sim->groups.told_empty = true;
+	ts_warn(&c->sim->log, &name->place,
+		"group '%s' has no particles%s: its centre, bounds and what follows from them are not "
+		"defined; "
+		"the value is %s, as in LAMMPS (said once)",
+		name->text, c->region ? " in that region" : "", value);
+}
+
+/* The centre of no particles is 0. */
+static void find_centre(struct selection *c, const struct ts_word *name)
 {
 	c->mass = sum_terms(c, mass_term, 0, 0);
-	if (!(c->mass > 0))
-		return ts_fail(&c->sim->error, TS_STATE, &name->place,
-			       "group '%s' has no particles%s: its centre is not defined", name->text,
-			       c->region ? " in that region" : "");
+	for (int k = 0; k < 3; k++)
+		c->centre[k] = 0;
+	if (!(c->mass > 0)) {
+		warn_empty(c, name, "0");
+		return;
+	}
 	for (int k = 0; k < 3; k++)
 		c->centre[k] = sum_terms(c, mass_position_term, k, 0) / c->mass;
-	return TS_OK;
 }
 
 /* *out: index of the word, such as "x" or "yz", in a list of names. */
@@ -209,7 +224,7 @@ static enum ts_status eval_component(struct tsim *sim, struct ts_words args, ter
 	TS_TRY(read_group(sim, args, 3, &c));
 	TS_TRY(read_dim(sim, &args.word[1], &dim));
 	if (about)
-		TS_TRY(find_centre(&c, &args.word[0]));
+		find_centre(&c, &args.word[0]);
 	*out = sum_terms(&c, term, dim, 0);
 	return TS_OK;
 }
@@ -220,8 +235,8 @@ static enum ts_status eval_per_mass(struct tsim *sim, struct ts_words args, term
 
 	TS_TRY(eval_component(sim, args, term, false, out));
 	TS_TRY(read_group(sim, args, 3, &c));
-	TS_TRY(find_centre(&c, &args.word[0]));
-	*out /= c.mass;
+	find_centre(&c, &args.word[0]);
+	*out = c.mass > 0 ? *out / c.mass : 0;
 	return TS_OK;
 }
 
@@ -255,8 +270,8 @@ static enum ts_status eval_gyration(struct tsim *sim, struct ts_words args, doub
 	struct selection c;
 
 	TS_TRY(read_group(sim, args, 2, &c));
-	TS_TRY(find_centre(&c, &args.word[0]));
-	*out = sqrt(sum_terms(&c, mass_r2_term, 0, 0) / c.mass);
+	find_centre(&c, &args.word[0]);
+	*out = c.mass > 0 ? sqrt(sum_terms(&c, mass_r2_term, 0, 0) / c.mass) : 0;
 	return TS_OK;
 }
 
@@ -269,7 +284,7 @@ static enum ts_status eval_inertia(struct tsim *sim, struct ts_words args, doubl
 
 	TS_TRY(read_group(sim, args, 3, &c));
 	TS_TRY(find_name(sim, &args.word[1], names, "xx, yy, zz, xy, yz or xz", &k));
-	TS_TRY(find_centre(&c, &args.word[0]));
+	find_centre(&c, &args.word[0]);
 	*out = sum_terms(&c, inertia_term, first[k], second[k]);
 	return TS_OK;
 }
@@ -295,7 +310,10 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 
 	TS_TRY(read_group(sim, args, 3, &c));
 	TS_TRY(read_dim(sim, &args.word[1], &dim));
-	TS_TRY(find_centre(&c, &args.word[0]));
+	find_centre(&c, &args.word[0]);
+	*out = 0;
+	if (!(c.mass > 0))
+		return TS_OK;
 	for (int a = 0; a < 3; a++)
 		for (int b = 0; b < 3; b++)
 			tensor[a][b] = sum_terms(&c, inertia_term, a, b);
@@ -311,6 +329,8 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 	*out = determinant(tensor) / whole;
 	return TS_OK;
 }
+
+static const double OUTERMOST = 1e20; /* as LAMMPS and LIGGGHTS have it */
 
 static enum ts_status eval_bound(struct tsim *sim, struct ts_words args, double *out)
 {
@@ -330,9 +350,10 @@ static enum ts_status eval_bound(struct tsim *sim, struct ts_words args, double 
 			*out = x;
 		found = true;
 	}
-	if (!found)
-		return ts_fail(&sim->error, TS_STATE, &args.word[0].place, "group '%s' has no particles%s",
-			       args.word[0].text, c.region ? " in that region" : "");
+	if (!found) {
+		*out = side % 2 ? -OUTERMOST : OUTERMOST;
+		warn_empty(&c, &args.word[0], "1e20 or -1e20");
+	}
 	return TS_OK;
 }
 

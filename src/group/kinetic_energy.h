@@ -13,5 +13,7 @@ double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i);
 /* The sums over the group; exact and rounded once, so they do not depend on the order of particles. */
 double ts_group_kinetic_energy(const struct tsim *sim, int group);
 double ts_group_rotation_energy(const struct tsim *sim, int group);
+/* With that of clumps. */
+double ts_group_all_rotation_energy(const struct tsim *sim, int group);
 
 #endif

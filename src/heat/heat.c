@@ -240,6 +240,15 @@ static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *s
 	return e.status;
 }
 
+static enum ts_status eval_temperature(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_heat *h = self->state;
+
+	TS_TRY(ts_table_resize(out, sim->particles->n, 1));
+	memcpy(out->data, ts_heat_column(sim, h->temperature), sim->particles->n * sizeof *out->data);
+	return TS_OK;
+}
+
 const struct ts_value ts_heat_values[] = {
 	{ .name = "heat",
 	  .unit = "energy",
@@ -247,6 +256,12 @@ const struct ts_value ts_heat_values[] = {
 	  .shape = TS_SCALAR,
 	  .columns = 1,
 	  .eval = eval_energy },
+	{ .name = "temperature",
+	  .unit = "temperature",
+	  .help = "temperature of each particle",
+	  .shape = TS_PERATOM,
+	  .columns = 1,
+	  .eval = eval_temperature },
 	{ .name = NULL },
 };
 

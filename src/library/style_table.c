@@ -91,10 +91,12 @@ TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
 TS_STYLE(command, ts_command_style, ts_command_restart)
 TS_STYLE(command, ts_command_style, ts_command_review)
 TS_STYLE(command, ts_command_style, ts_command_run)
+TS_STYLE(command, ts_command_style, ts_command_run_style)
 TS_STYLE(command, ts_command_style, ts_command_set)
 TS_STYLE(command, ts_command_style, ts_command_shell)
 TS_STYLE(command, ts_command_style, ts_command_soft_particles)
 TS_STYLE(command, ts_command_style, ts_command_special_bonds)
+TS_STYLE(command, ts_command_style, ts_command_suffix)
 TS_STYLE(command, ts_command_style, ts_command_thermo)
 TS_STYLE(command, ts_command_style, ts_command_thermo_log)
 TS_STYLE(command, ts_command_style, ts_command_thermo_modify)
@@ -132,6 +134,7 @@ TS_STYLE(compute, ts_style, ts_compute_coord_atom)
 TS_STYLE(compute, ts_style, ts_compute_coordination)
 TS_STYLE(compute, ts_style, ts_compute_count_type)
 TS_STYLE(compute, ts_style, ts_compute_displace_atom)
+TS_STYLE(compute, ts_style, ts_compute_erotate)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
@@ -444,10 +447,12 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_restart.style,
 	&ts_command_review.style,
 	&ts_command_run.style,
+	&ts_command_run_style.style,
 	&ts_command_set.style,
 	&ts_command_shell.style,
 	&ts_command_soft_particles.style,
 	&ts_command_special_bonds.style,
+	&ts_command_suffix.style,
 	&ts_command_thermo.style,
 	&ts_command_thermo_log.style,
 	&ts_command_thermo_modify.style,
@@ -485,6 +490,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_coordination,
 	&ts_compute_count_type,
 	&ts_compute_displace_atom,
+	&ts_compute_erotate,
 	&ts_compute_erotate_multisphere,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,

@@ -1,6 +1,7 @@
 /* Compute coord/atom: coordination numbers within a cutoff. */
 #include "box/domain.h"
 #include "geom/pairs.h"
+#include "neigh/neigh.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -93,8 +94,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 struct task {
+	const struct tsim *sim;
 	const struct ts_particles *p;
 	const struct coord *s;
+	ts_excluded_fn *excluded; /* NULL: no pair is */
 	double *count;
 	int group;
 };
@@ -107,7 +110,7 @@ static void count_partner(void *context, size_t i, size_t j, const double d[3])
 
 	(void)d;
 	if (!ts_in_group(t->p, i, t->group) || !ts_in_group(t->p, j, s->with) ||
-	    (s->same && type != t->p->type[i]))
+	    (s->same && type != t->p->type[i]) || (t->excluded && t->excluded(t->sim, i, j)))
 		return;
 	for (size_t k = 0; k < s->ncolumns; k++)
 		t->count[i * s->ncolumns + k] +=
@@ -118,7 +121,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 {
 	struct coord *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	struct task task = { p, s, NULL, self->group };
+	struct task task = {
+		.sim = sim, .p = p, .s = s, .excluded = ts_neigh_excluded(sim), .group = self->group
+	};
 
 	TS_TRY(ts_table_resize(out, p->n, s->ncolumns));
 	task.count = out->data;
@@ -154,7 +159,9 @@ const struct ts_style ts_compute_coord_atom = {
 	.doc = "Counts, for each particle of the group, the other particles whose centres are nearer than R "
 	       "(length). With types (n, *, n*m ...) the output has a column for each, which counts partners "
 	       "of these types. With `mix yes` only partners of the particle's own type count; with `group` "
-	       "only those of that group. R may have any value: beyond half a periodic box several images of "
+	       "only those of that group. Pairs excluded by neigh_modify, special_bonds or a common rigid "
+	       "body do not "
+	       "count, as in LAMMPS. R may have any value: beyond half a periodic box several images of "
 	       "a particle count. `cutoff` before R is LAMMPS' spelling.",
 	.example = "compute near all coord/atom 0.012\ncompute kinds all coord/atom cutoff 0.012 1 2*3",
 	.args = args,

@@ -33,16 +33,27 @@ static enum ts_status define_dump(struct tsim *sim, const struct ts_word *id, co
 			     NULL);
 }
 
+/* A series of files and two that alternate do not replace each other. */
+static struct ts_word id_of(size_t files, const struct ts_place *where)
+{
+	return (struct ts_word){ .text = files == 2 ? "restart2" : "restart", .place = *where };
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	const struct ts_word id = { .text = "restart", .place = *where };
+	const struct ts_word id = id_of(s->files.n, where);
 	struct ts_word word[3];
 	struct ts_str series = { 0 };
 	enum ts_status status;
 	char every[24];
 
-	TS_TRY(delete_dump(sim, &id));
+	for (size_t files = 1; files <= 2; files++) {
+		const struct ts_word old = id_of(files, where);
+
+		if (s->every == 0 || files == s->files.n)
+			TS_TRY(delete_dump(sim, &old));
+	}
 	if (s->every == 0)
 		return TS_OK;
 	if (s->files.n < 1 || s->files.n > 2)
@@ -82,8 +93,9 @@ const struct ts_command_style ts_command_restart = {
 		.kind = TS_KIND_COMMAND,
 		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Writes restart files every N steps during runs",
-		.doc = "Defines a dump of style restart with the ID restart, which writes its files after the "
-		       "dumps defined before it. Files are written under a temporary name and renamed, so "
+		.doc = "Defines a dump of style restart with the ID restart, or restart2 with two names, which "
+		       "writes its files after the dumps defined before it. A second line with as many names "
+		       "replaces the first one; `restart 0` ends both. Files are written under a temporary name and renamed, so "
 		       "that a file is complete at any time. To write the same file repeatedly use dump style "
 		       "restart.",
 		.example = "restart 10000 a.restart b.restart\n"

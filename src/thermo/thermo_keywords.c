@@ -127,7 +127,7 @@ static enum ts_status ke(struct tsim *sim, double *out)
 
 static enum ts_status erotate(struct tsim *sim, double *out)
 {
-	*out = ts_group_rotation_energy(sim, 0);
+	*out = ts_group_all_rotation_energy(sim, 0);
 	divide_by_particles(sim, out);
 	return TS_OK;
 }
@@ -315,7 +315,7 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	  "far", TS_KEYWORD_SUM, cundall },
 	{ "atoms", "Atoms", "", "number of particles", TS_KEYWORD_INTEGER | TS_KEYWORD_SUM, atoms },
 	{ "ke", "KinEng", "energy", "kinetic energy of translation", TS_KEYWORD_SUM, ke },
-	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", TS_KEYWORD_SUM, erotate },
+	{ "erotate", "RotEng", "energy", "kinetic energy of rotation, of clumps, too", TS_KEYWORD_SUM, erotate },
 	{ "pe", "PotEng", "energy", "potential energy, see compute pe", TS_KEYWORD_LISTS, pe },
 	{ "etotal", "TotEng", "energy", "pe + ke, without rotation", TS_KEYWORD_LISTS, etotal },
 	{ "epair", "E_pair", "energy", "elastic energy of contacts, see compute pe", TS_KEYWORD_LISTS, epair },

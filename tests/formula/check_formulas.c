@@ -48,7 +48,6 @@ START_TEST(groups)
 	expect_error("print $(xcm(all,w))", 1, 17, 1, "expected x, y or z");
 	expect_error("print $(inertia(all,x))", 1, 21, 1, "expected xx, yy");
 	expect_error("print $(bound(all,x))", 1, 19, 1, "expected xmin");
-	expect_error("group none empty\nprint $(xcm(none,x))", 2, 13, 4, "has no particles");
 	expect_error("print $(omega(light,x))", 1, 15, 5, "lie on one line");
 	expect_error("print $(mass(all,up,up))", 1, 9, 15, "takes 1 to 2 arguments");
 }
