@@ -43,6 +43,17 @@ static enum ts_status read_off(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* Elements of each vector, as far as its style tells before it is evaluated; until the first sample they are 0. */
+static int64_t rows_told(const struct state *s)
+{
+	const struct ts_ref *first = &s->input.item[0].ref;
+	const struct ts_value *vector =
+		first->inst && !first->index ? ts_value_find(first->inst, TS_VECTOR) : NULL;
+	const size_t width = vector ? ts_value_width(first->inst, vector) : 0;
+
+	return s->mode == VECTOR && width ? (int64_t)width : 1;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -57,8 +68,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(read_off(self, sim));
 	if (!first)
 		return TS_OK;
-	s->rows = 1;
-	return ts_average_resize(self, sim, &s->average, s->input.n);
+	s->rows = rows_told(s);
+	return ts_average_resize(self, sim, &s->average, s->input.n * (size_t)s->rows);
 }
 
 /* Adds element i of value k to the sums; `off` values are replaced by the latest sample. */

@@ -133,7 +133,8 @@ const struct ts_style ts_compute_pressure = {
 	       "all contacts and bonds, each once; d is the vector between the two particles and F the force "
 	       "on the first, for ab = xx, yy, zz, xy, xz, yz. The scalar is the mean of xx, yy and zz (of "
 	       "xx and yy in two dimensions). V is the volume of the box, in two dimensions its area. Forces "
-	       "of walls and other fixes are not included. Sums are rounded once.",
+	       "of walls and other fixes are not included, nor are the constraint forces of rigid bodies. "
+	       "Sums are rounded once.",
 	.example = "compute p all pressure thermo_temp\ncompute contact all pressure NULL virial",
 	.args = args,
 	.state_size = sizeof(struct pressure),

@@ -19,7 +19,7 @@ static enum ts_status string_text(struct ts_formulas *formulas, struct ts_variab
 const struct ts_variable_style ts_var_string = {
 	.name = "string",
 	.values = "text",
-	.help = "a text, in quotes if it has blanks",
+	.help = "a text, in quotes if it has blanks; variables in it are substituted when it is defined",
 	.least = 1,
 	.most = 1,
 	.text = string_text,

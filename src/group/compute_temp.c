@@ -37,7 +37,8 @@ const struct ts_style ts_compute_temp = {
 	.summary = "Temperature of the translational motion",
 	.doc = "T = sum m v^2 / (D (N - 1) k_B) for the N particles of the group in D dimensions, where k_B "
 	       "is 1 in lj units and 1.380649e-23 in si units. It is 0 without degrees of freedom. "
-	       "`compute_modify ID extra M` replaces the D (N - 1) degrees of freedom by D N - M.\n\n"
+	       "`compute_modify ID extra M` replaces the D (N - 1) degrees of freedom by D N - M. "
+	       "Particles of rigid bodies count like free ones.\n\n"
 	       "The vector is the kinetic tensor sum m v_a v_b for ab = xx, yy, zz, xy, xz, yz; its trace is "
 	       "twice the kinetic energy.\n\n"
 	       "Of grains in SI units T is some 1e12 K. The fluctuations of their velocities are measured by "

@@ -11,6 +11,7 @@
 #include "load/servo_response.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/banned.h"
 
@@ -401,6 +402,12 @@ static const struct modifier {
 	{ "servo/ctrlParam", 3, gain_rows },
 };
 
+/* LIGGGHTS reads the names with and without the prefix. */
+static bool is_modifier(const struct modifier *m, const char *word)
+{
+	return ts_streq(m->name, word) || ts_streq(m->name + strlen("servo/"), word);
+}
+
 static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct ts_words words, size_t *used)
 {
 	struct ts_words rest = ts_words_from(words, 1);
@@ -411,7 +418,7 @@ static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct 
 	for (size_t k = 0; k < sizeof modifiers / sizeof *modifiers; k++) {
 		const struct modifier *m = &modifiers[k];
 
-		if (!ts_streq(m->name, words.word[0].text))
+		if (!is_modifier(m, words.word[0].text))
 			continue;
 		*used = 1 + (rest.n < m->nwords ? rest.n : m->nwords);
 		rest.n = *used - 1;
@@ -454,8 +461,26 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+enum { NUMBERS = 12 };
+static const char *const number_names[NUMBERS] = { "fx", "fy", "fz", "tx",  "ty",  "tz",
+						   "x",	 "y",  "z",  "xcm", "ycm", "zcm" };
+
+/* The last three: the point `com`, which moves with the mesh. */
+static enum ts_status eval_numbers(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+
+	TS_TRY(ts_mesh_stress_eval(self, sim, out));
+	for (int k = 0; k < 3; k++)
+		out->data[9 + k] = s->com[k] + (s->controlled == FORCE ? s->gone * s->unit[k] : 0);
+	return TS_OK;
+}
+
 static const struct ts_value values[] = {
-	TS_MESH_STRESS_VALUE,
+	{ "stress", "force, torque, length",
+	  "force on the mesh and torque about the reference point in the last step, that point, and the "
+	  "centre `com`",
+	  TS_VECTOR, NUMBERS, number_names, eval_numbers },
 	TS_MESH_STRESS_TRIANGLES,
 	{ .name = NULL },
 };

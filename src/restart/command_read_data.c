@@ -7,6 +7,7 @@
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "core/life.h"
+#include "core/ranks.h"
 #include "neigh/coincide.h"
 #include "particle/division.h"
 #include "particle/identity.h"
@@ -121,6 +122,20 @@ static enum ts_status read_parts(struct tsim *sim, const struct read_data *c, co
 	ts_error_clear(&sim->error);
 	ts_data_release(data);
 	return read_file(sim, c, where, data);
+}
+
+/* One id for all says nothing of the particles. */
+static void warn_of_molecules(struct tsim *sim, const struct ts_data *data, const struct ts_place *where)
+{
+	int64_t several = data->molecule[0] != data->molecule[1];
+
+	if (data->parts)
+		ts_ranks_sums(sim, &several, 1);
+	if (several)
+		ts_warn(&sim->log, where,
+			"read_data: the molecule ids of section Atoms are ignored; `fix ID all property/atom "
+			"mol` gives "
+			"particles molecules, and `set` their numbers");
 }
 
 static enum ts_status refuse_repeated(struct tsim *sim, const struct ts_data *data)
@@ -259,6 +274,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		status = can_read_parts(sim, c) ? read_parts(sim, c, where, &data)
 						: read_file(sim, c, where, &data);
 	if (status == TS_OK)
+		warn_of_molecules(sim, &data, where);
+	if (status == TS_OK)
 		status = apply_data(sim, c, &data);
 	if (status == TS_OK && data.nsections)
 		status = assign_sections(sim, c, &data);
@@ -319,7 +336,7 @@ const struct ts_command_style ts_command_read_data = {
 		       "such as `Atoms # bpm/sphere` selects another style: atomic, bond, molecular, "
 		       "bpm/sphere, hybrid), Velocities (id vx vy vz omegax omegay omegaz), Bonds (number "
 		       "type id id), Masses (type mass), Pair Coeffs, PairIJ Coeffs and Bond Coeffs, whose "
-		       "lines are those of pair_coeff and bond_coeff. Molecule ids are ignored. The mass of a "
+		       "lines are those of pair_coeff and bond_coeff. Molecule ids are ignored, with a warning if they differ. The mass of a "
 		       "particle is its density times 4/3 pi R^3. The equilibrium length of a bond is the "
 		       "current distance of its particles. Positions are wrapped into periodic boxes; "
 		       "positions outside a fixed face are an error. If the file has an error, nothing is "

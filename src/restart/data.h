@@ -77,6 +77,7 @@ struct ts_data {
 	struct ts_data_layout layout;
 	struct ts_data_atom *atom; /* [n] in the order of the file */
 	size_t n, capacity;
+	int64_t molecule[2];	       /* smallest and largest molecule id > 0; 0: there is none */
 	bool moving;		       /* there is a section Velocities */
 	struct ts_data_motion *motion; /* [nmotion] of parts */
 	size_t nmotion, motion_capacity;

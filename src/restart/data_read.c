@@ -245,6 +245,16 @@ static enum ts_status read_positive(struct reader *r, size_t k, int column, doub
 	return ts_lines_fail(r->l, TS_RANGE, k, "%s is %s, expected a number > 0", name, r->l->word[k]);
 }
 
+static void note_molecule(struct ts_data *d, int64_t id)
+{
+	if (id <= 0)
+		return;
+	if (!d->molecule[0] || id < d->molecule[0])
+		d->molecule[0] = id;
+	if (id > d->molecule[1])
+		d->molecule[1] = id;
+}
+
 static enum ts_status read_atom_column(struct reader *r, size_t k, int column, struct ts_data_atom *a)
 {
 	const char *name = ts_data_column_names[column];
@@ -260,7 +270,9 @@ static enum ts_status read_atom_column(struct reader *r, size_t k, int column, s
 		a->type = (int32_t)number;
 		return TS_OK;
 	case TS_DATA_MOL:
-		return ts_lines_int(r->l, k, name, INT32_MIN, INT32_MAX, &number);
+		TS_TRY(ts_lines_int(r->l, k, name, INT32_MIN, INT32_MAX, &number));
+		note_molecule(r->d, number);
+		return TS_OK;
 	case TS_DATA_DIAMETER:
 		return read_positive(r, k, column, &a->diameter);
 	case TS_DATA_DENSITY:

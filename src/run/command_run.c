@@ -133,6 +133,7 @@ static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const st
 {
 	const struct ts_word *word = r->pieces.word;
 	int64_t every, left = last - sim->clock.step;
+	bool first = true; /* of no steps, too */
 
 	if (!ts_parse_int(word[0].text, &every) || every < 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
@@ -141,7 +142,7 @@ static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const st
 		every = last - sim->clock.step;
 	else
 		TS_TRY(sim->script_api->check_commands(sim->script_api_data, ts_words_from(r->pieces, 1)));
-	while (left > 0 && !sim->run.halted) {
+	for (; (first || left > 0) && !sim->run.halted; first = false) {
 		if (!ts_sim_has_box(sim))
 			return ts_fail(&sim->error, TS_STATE, &word[0].place,
 				       "run: a command of `every` has removed the box, and the run cannot go "

@@ -39,6 +39,24 @@ static enum ts_status delete_variable(struct ts_script *script, const struct ts_
 	return TS_OK;
 }
 
+/* As in LAMMPS variables in the quotes of a string are substituted when it is defined; LIGGGHTS keeps their names. */
+static enum ts_status define_string(struct ts_script *script, const struct ts_word *name,
+				    struct ts_words values)
+{
+	struct ts_str text = { 0 };
+	struct ts_word word = values.word[0];
+	enum ts_status status = ts_substitute_text(script, word.text, &word.place, &text);
+
+	if (status == TS_OK && text.failed)
+		status = ts_nomem(&script->sim->error);
+	word.text = ts_str_text(&text);
+	if (status == TS_OK)
+		status = ts_variable_define(&script->formulas, name, &ts_var_string,
+					    (struct ts_words){ &word, 1 });
+	ts_str_release(&text);
+	return status;
+}
+
 static enum ts_status run_variable(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct variable *args = state;
@@ -48,6 +66,8 @@ static enum ts_status run_variable(struct tsim *sim, void *state, const struct t
 
 	TS_TRY(ts_script_of(sim, where, &script));
 	name = (struct ts_word){ .text = args->name, .place = *ts_script_place(script, 1, where) };
+	if (style == &ts_var_string && args->values.n == 1 && sim->legacy != TS_LEGACY_LIGGGHTS)
+		return define_string(script, &name, args->values);
 	return style ? ts_variable_define(&script->formulas, &name, style, args->values)
 		     : delete_variable(script, &name);
 }
