@@ -39,7 +39,7 @@ enum ts_status ts_mesh_surface_require(struct tsim *sim, const struct ts_word *i
 			       id->text, fix->style->name);
 	for (size_t k = 0; ts_mesh_surface_next(sim, &k, &by);)
 		ts_suggest_try(&suggest, by->id);
-	return ts_fail(&sim->error, TS_UNKNOWN, &id->place,
-		       "there is no mesh '%s' of `fix %s all mesh/surface ...`%s", id->text, id->text,
-		       ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, "fix", id->text, &id->place,
+			  "there is no mesh '%s' of `fix %s all mesh/surface ...`%s", id->text, id->text,
+			  ts_suggest_text(&suggest));
 }

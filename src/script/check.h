@@ -64,6 +64,7 @@ struct ts_check {
 	bool weak;	       /* a line has failed on which later ones may depend: may_follow_from_error */
 	bool substitute_box;   /* the box stands in for one that could not be created */
 	bool creating_box;     /* that box is being created */
+	bool unread;	       /* a restart file could not be read: its groups are unknown */
 	struct ts_map seen;    /* "file:line:column" of errors, "file:line" of lines executed */
 	struct ts_map lost;    /* "fix ID" that a failed line would have defined */
 	struct ts_map events;  /* by kind, place and text */
