@@ -239,6 +239,7 @@ shell_tests = \
 	tests/script/folders.sh \
 	tests/script/last_words.sh \
 	tests/script/mistakes.sh \
+	tests/script/public_scripts.sh \
 	tests/script/refusals.sh \
 	tests/stability/guard.sh \
 	tests/stability/refusal.sh \

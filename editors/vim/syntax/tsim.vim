@@ -77,7 +77,7 @@ syn keyword tsimKeyword  extra/dihedral/types extra/improper/types
 syn match tsimKeyword /\<fix\>/ 
 syn keyword tsimKeyword  replace trim purge bbox title renew picture last skip stop
 syn match tsimKeyword /\<dump\>/ 
-syn keyword tsimKeyword  post warn upto pre unsafe diameter density density/disc
+syn keyword tsimKeyword  post warn upto pre unsafe verlet diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
 syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega type/fraction type/ratio
 syn keyword tsimKeyword  type/subset property/atom d_NAME i_NAME d2_NAME i2_NAME lj coul
@@ -198,7 +198,7 @@ syn keyword tsimName  true false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|length\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|mesh_primitive\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|report\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|mesh_primitive\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|report\|rerun\|reset_timestep\|restart\|review\|run\|run_style\|set\|shell\|soft_particles\|special_bonds\|suffix\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
@@ -241,7 +241,7 @@ syn keyword tsim_compute contained active/paml active/pi active/pml aggregate/at
 syn keyword tsim_compute contained automaton/profile bed/height bond/counter bond/local bonds
 syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
 syn keyword tsim_compute contained contact/atom contacts coord/atom coordination count/type
-syn keyword tsim_compute contained displace/atom erotate/multisphere erotate/sphere erotate
+syn keyword tsim_compute contained displace/atom erotate erotate/multisphere erotate/sphere
 syn keyword tsim_compute contained erotate/sphere/atom fabric film film/atom flow/flux flow/force
 syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom granular/couette
 syn keyword tsim_compute contained granular/shear group/group gyration gyration/chunk inertia/chunk
