@@ -84,14 +84,13 @@ const struct ts_bond_style ts_bond_harmonic = {
 		   .ranks = TS_RANKS_OWN,
 		   .summary = "spring of LAMMPS between two centres, which does not break",
 		   .doc = "The bond force acts along the line of centres, > 0 attractive, and the bond has "
-			  "the energy "
-			  "E:\n\n"
+			  "the energy E:\n\n"
 			  "  F = 2 K (r - r0),   E = K (r - r0)^2\n\n"
 			  "with the distance r of the centres. As in LAMMPS K includes the factor 1/2, and "
-			  "r0 is "
-			  "the length given, not that with which the bond was created. Bonded particles that "
-			  "overlap interact by the pair style as well, as in LAMMPS, unless special_bonds "
-			  "switches that off. Bonds that break: bond contact, or fix bond/break.\n\n"
+			  "r0 is the length given, not that with which the bond was created. Bonded "
+			  "particles that overlap interact by the pair style as well, as in LAMMPS, unless "
+			  "special_bonds switches that off. Bonds that break: bond contact, or fix "
+			  "bond/break.\n\n"
 			  "A single bond with the reduced mass m* is stable for time steps below 2 "
 			  "sqrt(m*/(2 K)).",
 		   .example = "atom_style hybrid sphere bond\n"

@@ -157,8 +157,8 @@ static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_insta
 	return (const struct ts_bond_style *)inst->style;
 }
 
-/* Adds a bond with the rest length `rest`, unless the coefficients give another one, without a check whether the pair is bonded already. Sort the
- * list by ts_bonds_sort after a series. */
+/* Adds a bond with the rest length `rest`, unless the coefficients give another one, without a check whether the pair is
+ * bonded already. Sort the list by ts_bonds_sort after a series. */
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
 /* Lengths that the coefficients give become those of the bonds. */
 void ts_bonds_set_lengths(struct tsim *sim);

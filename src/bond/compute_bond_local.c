@@ -187,8 +187,7 @@ static const struct ts_value values[] = {
 static const struct ts_arg args[] = {
 	TS_REST("columns", struct state, words,
 		.help = "dist, rest, engpot, force, fx, fy, fz, dx, dy, dz; shear, bending, twist, tx, ty, "
-			"tz, "
-			"sigma, tau, sigma_c, tau_c, ratio, mode"),
+			"tz, sigma, tau, sigma_c, tau_c, ratio, mode"),
 	TS_ARGS_END,
 };
 
@@ -198,17 +197,16 @@ const struct ts_style ts_compute_bond_local = {
 	.kind = TS_KIND_COMPUTE,
 	.ranks = TS_RANKS_WHOLE,
 	.summary = "length, force, moments and stresses of each bond",
-	.doc = "A local array with one row for each bond whose partners are both in the group. Columns: dist "
-	       "(length), rest (length without force), engpot (elastic energy), force (force along the bond, "
-	       "> 0 repulsive), fx fy fz (force "
-	       "on the partner with the smaller ID), dx dy dz (vector from the other partner to it). Of "
-	       "bonds that transmit moments also: shear (shear force), bending (bending moment) and twist "
-	       "(torque about the bond, with its sign), without damping; tx ty tz (torque on the partner "
-	       "with the smaller ID); sigma and tau (largest stresses of the section, as defined by the bond "
-	       "style); sigma_c and tau_c (strengths of this bond, inf: none); ratio (largest ratio of "
-	       "stress and strength); mode (that of this ratio: 1 tension, 2 shear, 3 compression; 0: the "
-	       "bond has no strengths). Forces are those of the last force computation. Compute "
-	       "property/local gives the IDs of the partners in the same order.",
+	.doc = "A local array with one row for each bond whose partners are both in the group. Columns: "
+	       "dist (length), rest (length without force), engpot (elastic energy), force (force along the "
+	       "bond, > 0 repulsive), fx fy fz (force on the partner with the smaller ID), dx dy dz (vector "
+	       "from the other partner to it). Of bonds that transmit moments also: shear (shear force), "
+	       "bending (bending moment) and twist (torque about the bond, with its sign), without damping; "
+	       "tx ty tz (torque on the partner with the smaller ID); sigma and tau (largest stresses of "
+	       "the section, as defined by the bond style); sigma_c and tau_c (strengths of this bond, inf: "
+	       "none); ratio (largest ratio of stress and strength); mode (that of this ratio: 1 tension, 2 "
+	       "shear, 3 compression; 0: the bond has no strengths). Forces are those of the last force "
+	       "computation. Compute property/local gives the IDs of the partners in the same order.",
 	.example = "compute b all bond/local dist force\n"
 		   "compute s all bond/local sigma tau ratio mode",
 	.args = args,

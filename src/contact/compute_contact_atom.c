@@ -69,12 +69,10 @@ const struct ts_style ts_compute_contact_atom = {
 	.kind = TS_KIND_COMPUTE,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Number of contacts of each particle",
-	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance is "
-	       "less than the sum of the radii, but not pairs excluded by neigh_modify, special_bonds or a "
-	       "common "
-	       "rigid body. It uses positions and radii only: without a pair_style overlaps count as well. "
-	       "Periodic "
-	       "images count.",
+	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance "
+	       "is less than the sum of the radii, but not pairs excluded by neigh_modify, special_bonds or "
+	       "a common rigid body. It uses positions and radii only: without a pair_style overlaps count "
+	       "as well. Periodic images count.",
 	.example = "compute z all contact/atom\ncompute mean all reduce ave c_z",
 	.args = args,
 	.state_size = sizeof(struct contact),

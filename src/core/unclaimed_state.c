@@ -183,8 +183,8 @@ static void report_models(struct tsim *sim)
 			continue;
 		p->reported = true;
 		ts_warn(&sim->log, NULL,
-			"the restart file was written with %s_style %s, which is not defined "
-			"again: this run is without it",
+			"the restart file was written with %s_style %s, which is not defined again: this "
+			"run is without it",
 			ts_kind_name(p->kind), p->style);
 	}
 }

@@ -5,8 +5,8 @@
 
 #include "box/domain.h"
 #include "core/units.h"
-#include "io/decimal.h"
 #include "io/csv.h"
+#include "io/decimal.h"
 #include "io/series.h"
 
 #include "base/banned.h"

@@ -42,7 +42,8 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_DUMP_COUNT(T, "delay", delay, 0, 9e15, "no frame before this step"),                 \
 	TS_DUMP_ANSWER(T, "append", append, "append to an existing file instead of replacing it"), \
 	TS_WORD("label", T, changes.label, .flags = TS_OPTIONAL,                                \
-		.help = "text of an additional ITEM: LABEL of each frame; dump local: instead of ENTRIES"),                     \
+		.help = "text of an additional ITEM: LABEL of each frame; dump local: instead of "  \
+			"ENTRIES"),                                                             \
 	TS_DUMP_ANSWER(T, "time", time, "an additional ITEM: TIME of each frame"),              \
 	TS_DUMP_ANSWER(T, "units", units, "an additional ITEM: UNITS of the first frame"),      \
 	TS_DUMP_COUNT(T, "maxfiles", maxfiles, -1, 1000000,                                     \

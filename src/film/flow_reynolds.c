@@ -189,8 +189,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 		ts_warn(&sim->log, &self->where, "flow_style reynolds: %s",
 			ts_film_has_fluid(&s->flow.film)
 				? "the surfaces neither slide nor approach each other, and the pressure is "
-				  "the "
-				  "same at all edges: the fluid is at rest"
+				  "the same at all edges: the fluid is at rest"
 				: "the surfaces touch everywhere: there is no fluid");
 	}
 	return TS_OK;

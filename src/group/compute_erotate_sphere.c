@@ -48,8 +48,7 @@ const struct ts_style ts_compute_erotate = {
 	.summary = "Rotational kinetic energy of spheres and clumps",
 	.doc = "The sum of compute erotate/sphere and, for the clumps of fix multisphere, that of compute "
 	       "erotate/multisphere: a sphere of a clump has a share of L . omega / 2 in proportion to its "
-	       "mass. The "
-	       "keyword erotate of thermo_style is this sum over all particles.",
+	       "mass. The keyword erotate of thermo_style is this sum over all particles.",
 	.example = "compute rotation all erotate",
 	.values = of_all,
 };

@@ -154,8 +154,7 @@ static void warn_empty(struct selection *c, const struct ts_word *name, const ch
 	c->sim->groups.told_empty = true;
 	ts_warn(&c->sim->log, &name->place,
 		"group '%s' has no particles%s: its centre, bounds and what follows from them are not "
-		"defined; "
-		"the value is %s, as in LAMMPS (said once)",
+		"defined; the value is %s, as in LAMMPS (said once)",
 		name->text, c->region ? " in that region" : "", value);
 }
 

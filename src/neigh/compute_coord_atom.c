@@ -157,12 +157,11 @@ const struct ts_style ts_compute_coord_atom = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Number of particles within a cutoff of each particle",
 	.doc = "Counts, for each particle of the group, the other particles whose centres are nearer than R "
-	       "(length). With types (n, *, n*m ...) the output has a column for each, which counts partners "
-	       "of these types. With `mix yes` only partners of the particle's own type count; with `group` "
-	       "only those of that group. Pairs excluded by neigh_modify, special_bonds or a common rigid "
-	       "body do not "
-	       "count, as in LAMMPS. R may have any value: beyond half a periodic box several images of "
-	       "a particle count. `cutoff` before R is LAMMPS' spelling.",
+	       "(length). With types (n, *, n*m ...) the output has a column for each, which counts "
+	       "partners of these types. With `mix yes` only partners of the particle's own type count; "
+	       "with `group` only those of that group. Pairs excluded by neigh_modify, special_bonds or a "
+	       "common rigid body do not count, as in LAMMPS. R may have any value: beyond half a periodic "
+	       "box several images of a particle count. `cutoff` before R is LAMMPS' spelling.",
 	.example = "compute near all coord/atom 0.012\ncompute kinds all coord/atom cutoff 0.012 1 2*3",
 	.args = args,
 	.state_size = sizeof(struct coord),
