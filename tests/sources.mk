@@ -373,6 +373,7 @@ unit_tests = \
 	tests/stability/check_limits \
 	tests/stability/check_network \
 	tests/stability/check_relaxation \
+	tests/stability/check_servo \
 	tests/study/check_secant \
 	tests/thermo/check_progress \
 	tests/voxel/check_voxel \
@@ -824,6 +825,9 @@ tests_stability_check_network_LDADD = $(tests_ldadd)
 tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c
 tests_stability_check_relaxation_CFLAGS = $(tests_cflags)
 tests_stability_check_relaxation_LDADD = $(tests_ldadd)
+tests_stability_check_servo_SOURCES = tests/stability/check_servo.c
+tests_stability_check_servo_CFLAGS = $(tests_cflags)
+tests_stability_check_servo_LDADD = $(tests_ldadd)
 
 tests_study_check_secant_SOURCES = tests/study/check_secant.c
 tests_study_check_secant_CFLAGS = $(tests_cflags)

@@ -23,7 +23,7 @@ static enum ts_status set_names_from_comment(struct ts_reader *r, struct ts_fram
 
 	f->columns = 0;
 	while (*c) {
-		size_t n = strcspn(c, " \t");
+		size_t n = strcspn(c, " \t,");
 		struct ts_str word = { 0 };
 		enum ts_status status;
 
@@ -285,6 +285,7 @@ static enum ts_status open_file(struct ts_reader *r)
 			     : ts_lines_open(&r->lines, NULL, r->err, r->pool, NULL, path.text);
 	ts_str_release(&path);
 	r->open = status == TS_OK;
+	r->lines.commas = true; /* fix print may write any text */
 	return status;
 }
 

@@ -200,6 +200,11 @@ static bool is_blank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
+static bool separates(const struct ts_lines *l, char c)
+{
+	return is_blank(c) || (l->commas && c == ',');
+}
+
 /* Splits the line in place: the blank after each word is replaced by a zero. */
 static enum ts_status split_words(struct ts_lines *l)
 {
@@ -213,14 +218,14 @@ static enum ts_status split_words(struct ts_lines *l)
 		l->comment = l->hash + 1 + strspn(l->hash + 1, BLANKS);
 	}
 	for (;;) {
-		while (is_blank(*p))
+		while (separates(l, *p))
 			p++;
 		if (!*p)
 			return TS_OK;
 		if (TS_GROW(l->word, l->word_capacity, l->nwords + 1) != TS_OK)
 			return ts_nomem(l->err);
 		l->word[l->nwords++] = p;
-		while (*p && !is_blank(*p))
+		while (*p && !separates(l, *p))
 			p++;
 		if (!*p)
 			return TS_OK;

@@ -25,6 +25,7 @@ struct ts_lines {
 	double most_unfolded; /* limit of `unfolded` in bytes, base/input_limit.h */
 	size_t longest;	      /* limit of the length of a line in bytes */
 	double unfolded;      /* uncompressed bytes; the caller may set it to 0 */
+	bool commas;	      /* separate words like blanks; the caller may set it */
 	bool may_be_torn;     /* a compressed file that is cut off is read up to its end, without an error */
 	bool torn;	      /* it was cut off */
 	const char *chunk;    /* bytes that are not yet split into lines: chunk[at] .. chunk[end - 1] */

@@ -65,13 +65,17 @@ static inline bool ts_servo_stable(const struct ts_servo_loop *s, double factor,
 }
 
 /* Largest factor of the gains for which the loop is stable; infinite if the velocity has no effect on
- * the force. */
+ * the force. It is looked for from above: with an integral gain the test is dull for very small factors, where two zeros
+ * near 1 nearly coincide. */
 static inline double ts_servo_margin(const struct ts_servo_loop *s, double h)
 {
-	double low = -30, high = 30; /* natural logarithms */
+	const double least = -30, most = 30, pace = 0.25; /* natural logarithms */
+	double high = most, low = most - pace;
 
-	if (ts_servo_stable(s, exp(high), h))
+	if (ts_servo_stable(s, exp(most), h))
 		return INFINITY;
+	for (; low > least && !ts_servo_stable(s, exp(low), h); low -= pace)
+		high = low;
 	while (high - low > 1e-9) {
 		double middle = 0.5 * (low + high);
 

@@ -346,6 +346,11 @@ START_TEST(texts)
 	ck_assert(column(&p, "v")->diverged && !column(&p, "ke")->diverged && !column(&p, "at")->diverged);
 	ck_assert(column(&p, "word end")->side[TS_PEER].n == 0);
 	ts_compare_release(&p);
+	/* commas separate words, too */
+	p = compared(TS_FRAMES_TEXT, "# t,ke,v\n0.1,2.00000000001,3\n0.2,5,3\n",
+		     "# t,ke,v\n0.1,2,3\n0.2,5,4\n");
+	ck_assert(column(&p, "v")->diverged && !column(&p, "ke")->diverged && !column(&p, "t")->diverged);
+	ts_compare_release(&p);
 }
 END_TEST
 
