@@ -91,9 +91,10 @@ static double length_without_force(const struct tsim *sim, int type, double rest
 
 void ts_bonds_set_lengths(struct tsim *sim)
 {
+	const struct ts_instance *style = ts_sim_only(sim, TS_KIND_BOND);
 	struct ts_bonds *b = sim->bonds;
 
-	for (size_t k = 0; k < b->n; k++)
+	for (size_t k = 0; style && ts_bond_style_of(style)->length && k < b->n; k++)
 		b->rest[k] = length_without_force(sim, b->type[k], b->rest[k]);
 }
 

@@ -4,12 +4,17 @@
 
 #include "base/banned.h"
 
-const double *ts_particles_molecules(const struct ts_particles *p)
+double *ts_particles_molecules_to_set(struct ts_particles *p)
 {
 	size_t k;
 	const struct ts_column *c = ts_particles_named_column(p, "mol", &k);
 
 	return c && c->width == 1 ? c->data : NULL;
+}
+
+const double *ts_particles_molecules(const struct ts_particles *p)
+{
+	return ts_particles_molecules_to_set((struct ts_particles *)p);
 }
 
 enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what, const struct ts_place *where)

@@ -1,4 +1,5 @@
-/* Molecules: molecule numbers of particles, which the script defines by `fix ID all property/atom mol`. */
+/* Molecules: molecule numbers of particles, which the script defines by `fix ID all property/atom mol`, or
+ * read_data. */
 #ifndef TS_PARTICLE_MOLECULE_H
 #define TS_PARTICLE_MOLECULE_H
 
@@ -6,6 +7,7 @@
 
 /* The molecule number of each particle; NULL if the script has defined none. */
 const double *ts_particles_molecules(const struct ts_particles *p);
+double *ts_particles_molecules_to_set(struct ts_particles *p);
 /* Fails if there are particles without molecule numbers; the message begins with `what`, e.g. "group". */
 enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what, const struct ts_place *where);
 

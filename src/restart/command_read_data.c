@@ -11,6 +11,7 @@
 #include "neigh/coincide.h"
 #include "particle/division.h"
 #include "particle/identity.h"
+#include "particle/molecule.h"
 #include "particle/user_columns.h"
 #include "restart/data.h"
 
@@ -124,18 +125,29 @@ static enum ts_status read_parts(struct tsim *sim, const struct read_data *c, co
 	return read_file(sim, c, where, data);
 }
 
-/* One id for all says nothing of the particles. */
-static void warn_of_molecules(struct tsim *sim, const struct ts_data *data, const struct ts_place *where)
+/* Whether the molecule ids of the file say something: one for all bonded particles does not. */
+static bool has_molecules(const struct tsim *sim, const struct ts_data *data)
 {
+	int64_t sum[2] = { data->molecule[1], data->has_molecules }; /* molecule[1] is 0 without */
 	int64_t several = data->molecule[0] != data->molecule[1];
 
 	if (data->parts)
+		ts_ranks_sums(sim, sum, 2);
+	several |= data->has_molecules && data->molecule[1] * sum[1] != sum[0];
+	if (data->parts)
 		ts_ranks_sums(sim, &several, 1);
-	if (several)
-		ts_warn(&sim->log, where,
-			"read_data: the molecule ids of section Atoms are ignored; `fix ID all property/atom "
-			"mol` gives "
-			"particles molecules, and `set` their numbers");
+	return several || (sum[0] != 0 && data->nbonds == 0);
+}
+
+/* As with LAMMPS' atom styles with molecules: particles have a column `mol`. */
+static enum ts_status make_molecules(struct tsim *sim, const struct ts_data *data,
+				     const struct ts_place *where)
+{
+	static const char line[] = "fix molecules all property/atom mol writedata no";
+
+	if (!has_molecules(sim, data) || ts_particles_molecules(sim->particles))
+		return TS_OK;
+	return sim->script_api->execute(sim->script_api_data, line, where);
 }
 
 static enum ts_status refuse_repeated(struct tsim *sim, const struct ts_data *data)
@@ -274,7 +286,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		status = can_read_parts(sim, c) ? read_parts(sim, c, where, &data)
 						: read_file(sim, c, where, &data);
 	if (status == TS_OK)
-		warn_of_molecules(sim, &data, where);
+		status = make_molecules(sim, &data, where);
 	if (status == TS_OK)
 		status = apply_data(sim, c, &data);
 	if (status == TS_OK && data.nsections)
@@ -331,16 +343,17 @@ const struct ts_command_style ts_command_read_data = {
 		.summary = "Reads a box and particles from a data file",
 		.doc = "Reads a data file in the format of LAMMPS and LIGGGHTS: a title line, a header (`N "
 		       "atoms`, `N atom types`, `N bonds`, `N bond types`, `LO HI xlo xhi` ...), then "
-		       "sections in any order, except that Atoms comes before Velocities and Bonds: Atoms (id "
-		       "type diameter density x y z [ix iy iz] for atom_style sphere and granular; a comment "
-		       "such as `Atoms # bpm/sphere` selects another style: atomic, bond, molecular, "
-		       "bpm/sphere, hybrid), Velocities (id vx vy vz omegax omegay omegaz), Bonds (number "
-		       "type id id), Masses (type mass), Pair Coeffs, PairIJ Coeffs and Bond Coeffs, whose "
-		       "lines are those of pair_coeff and bond_coeff. Molecule ids are ignored, with a warning if they differ. The mass of a "
-		       "particle is its density times 4/3 pi R^3. The equilibrium length of a bond is the "
-		       "current distance of its particles. Positions are wrapped into periodic boxes; "
-		       "positions outside a fixed face are an error. If the file has an error, nothing is "
-		       "changed.\n\n"
+		       "sections in any order, except that Atoms comes before Velocities and Bonds: Atoms "
+		       "(id type diameter density x y z [ix iy iz] for atom_style sphere and granular; a "
+		       "comment such as `Atoms # bpm/sphere` selects another style: atomic, bond, "
+		       "molecular, bpm/sphere, hybrid), Velocities (id vx vy vz omegax omegay omegaz), "
+		       "Bonds (number type id id), Masses (type mass), Pair Coeffs, PairIJ Coeffs and Bond "
+		       "Coeffs, whose lines are those of pair_coeff and bond_coeff. If molecule ids differ, "
+		       "or there are no bonds, `fix molecules all property/atom mol` is defined to keep "
+		       "them, unless there is a column mol already. The mass of a particle is its density "
+		       "times 4/3 pi R^3. The equilibrium length of a bond is the current distance of its "
+		       "particles. Positions are wrapped into periodic boxes; positions outside a fixed "
+		       "face are an error. If the file has an error, nothing is changed.\n\n"
 		       "`fix ID NULL TITLE`: the section TITLE holds the numbers of fix property/atom ID; "
 		       "each line has a particle id and the numbers in the order of the fix, one line for "
 		       "each particle.",

@@ -3,6 +3,7 @@
 #include "box/domain.h"
 #include "contact/pair.h"
 #include "io/series.h"
+#include "particle/molecule.h"
 #include "particle/user_columns.h"
 #include "restart/data.h"
 
@@ -101,9 +102,24 @@ static enum ts_status write_columns(struct tsim *sim, struct ts_textfile *out)
 	return TS_OK;
 }
 
+/* Whether the molecule ids have no section of their own. */
+static bool atoms_have_molecules(const struct tsim *sim, const struct write_data *c)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n && !c->nofix; k++) {
+		const struct ts_user_columns *columns = fixes->item[k]->state;
+
+		if (ts_streq(fixes->item[k]->style->name, "property/atom") && columns->title &&
+		    ts_streq(columns->title, "Molecules"))
+			return false;
+	}
+	return ts_particles_molecules(sim->particles) != NULL;
+}
+
 static enum ts_status write_contents(struct tsim *sim, const struct write_data *c, struct ts_textfile *out)
 {
-	struct ts_data_counts counts = { sim->bonds->n, sim->bonds->ntypes };
+	struct ts_data_counts counts = { sim->bonds->n, sim->bonds->ntypes, atoms_have_molecules(sim, c) };
 	struct ts_str text = { 0 };
 	enum ts_status status = TS_OK;
 

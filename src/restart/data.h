@@ -38,6 +38,7 @@ struct ts_data_atom {
 	int32_t tag, type, image[3];
 	double diameter, density, x[3], v[3], omega[3];
 	int line; /* of the file, for messages */
+	int32_t molecule;
 };
 
 struct ts_data_bond {
@@ -77,7 +78,8 @@ struct ts_data {
 	struct ts_data_layout layout;
 	struct ts_data_atom *atom; /* [n] in the order of the file */
 	size_t n, capacity;
-	int64_t molecule[2];	       /* smallest and largest molecule id > 0; 0: there is none */
+	bool has_molecules;	       /* lines with molecule ids have been read: */
+	int64_t molecule[2];	       /* the smallest and the largest one */
 	bool moving;		       /* there is a section Velocities */
 	struct ts_data_motion *motion; /* [nmotion] of parts */
 	size_t nmotion, motion_capacity;
@@ -116,6 +118,7 @@ enum ts_status ts_data_apply(struct tsim *sim, struct ts_data *data, const struc
 struct ts_data_counts {
 	size_t bonds;
 	int bond_types;
+	bool molecules; /* section Atoms has molecule ids; it has with bonds in any case */
 };
 struct ts_user_columns;
 /* Writes the section of a fix property/atom. */

@@ -8,6 +8,7 @@
 #include "particle/columns.h"
 #include "particle/division.h"
 #include "particle/identity.h"
+#include "particle/molecule.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "restart/data.h"
@@ -169,6 +170,7 @@ static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
 {
 	struct ts_particles *p = sim->particles;
 	int32_t max_tag = p->max_tag;
+	double *molecule;
 	size_t first;
 
 	if (has_rotation(sim, data))
@@ -177,6 +179,9 @@ static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
 	p->max_tag = max_tag; /* ids are those of the file */
 	for (size_t k = 0; k < data->n; k++)
 		set_atom(sim, data, &data->atom[k], o, first + k);
+	molecule = ts_particles_molecules_to_set(p);
+	for (size_t k = 0; molecule && k < data->n; k++)
+		molecule[first + k] = data->atom[k].molecule;
 	p->max_tag = (int32_t)ts_ranks_most(sim, p->max_tag);
 	ts_particles_inverse_mass(p);
 	return TS_OK;

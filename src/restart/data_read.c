@@ -247,12 +247,11 @@ static enum ts_status read_positive(struct reader *r, size_t k, int column, doub
 
 static void note_molecule(struct ts_data *d, int64_t id)
 {
-	if (id <= 0)
-		return;
-	if (!d->molecule[0] || id < d->molecule[0])
+	if (id < d->molecule[0] || !d->has_molecules)
 		d->molecule[0] = id;
-	if (id > d->molecule[1])
+	if (id > d->molecule[1] || !d->has_molecules)
 		d->molecule[1] = id;
+	d->has_molecules = true;
 }
 
 static enum ts_status read_atom_column(struct reader *r, size_t k, int column, struct ts_data_atom *a)
@@ -271,6 +270,7 @@ static enum ts_status read_atom_column(struct reader *r, size_t k, int column, s
 		return TS_OK;
 	case TS_DATA_MOL:
 		TS_TRY(ts_lines_int(r->l, k, name, INT32_MIN, INT32_MAX, &number));
+		a->molecule = (int32_t)number;
 		note_molecule(r->d, number);
 		return TS_OK;
 	case TS_DATA_DIAMETER:

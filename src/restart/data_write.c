@@ -6,6 +6,7 @@
 #include "box/domain.h"
 #include "io/decimal.h"
 #include "particle/identity.h"
+#include "particle/molecule.h"
 #include "particle/sphere_shape.h"
 #include "particle/user_columns.h"
 
@@ -78,6 +79,7 @@ static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_coun
 static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool hybrid)
 {
 	const struct ts_particles *p = sim->particles;
+	const double *molecule = ts_particles_molecules(p);
 
 	add_whole(out, "", p->tag[i]);
 	add_whole(out, " ", p->type[i]);
@@ -90,8 +92,8 @@ static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool 
 			add_number(out, density_of(p->mass[i], ts_particle_volume(sim, p->radius[i])));
 		}
 	}
-	if (hybrid) /* molecule id */
-		ts_str_add(out, " 0");
+	if (hybrid)
+		add_whole(out, " ", molecule ? (int)molecule[i] : 0);
 	for (int d = 0; d < 3; d++)
 		add_whole(out, " ", p->image[i][d]);
 	ts_str_add_n(out, "\n", 1);
@@ -111,7 +113,7 @@ static void add_velocity(struct ts_str *out, const struct ts_particles *p, size_
 enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct ts_data_counts counts)
 {
 	struct ts_particles *p = sim->particles;
-	bool hybrid = counts.bond_types > 0;
+	bool hybrid = counts.bond_types > 0 || counts.molecules;
 	struct ts_str text = { 0 };
 	struct ts_identities map;
 	enum ts_status status = TS_OK;
@@ -119,9 +121,10 @@ enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct t
 	TS_TRY(ts_identities(sim, true, &map));
 	add_header(sim, &text, counts);
 	for (int section = 0; p->n && section < 2 && status == TS_OK; section++) {
-		ts_str_add(&text, section  ? "\nVelocities\n\n"
-				  : hybrid ? "\nAtoms # hybrid sphere bond\n\n"
-					   : "\nAtoms # sphere\n\n");
+		ts_str_add(&text, section	      ? "\nVelocities\n\n"
+				  : counts.bond_types ? "\nAtoms # hybrid sphere bond\n\n"
+				  : hybrid	      ? "\nAtoms # hybrid sphere molecular\n\n"
+						      : "\nAtoms # sphere\n\n");
 		for (size_t k = 0; k < map.n && status == TS_OK; k++) {
 			if (section)
 				add_velocity(&text, p, (size_t)map.row[k]);

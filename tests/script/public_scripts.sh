@@ -135,12 +135,29 @@ print \"\${s}\"
 run 0 every 1 \"print 'after none'\"
 run 5 every 2 \"print 'after \$(step)'\"" 'a 3 4 b' 'after none' 'after 2' 'after 4' 'after 5'
 
-printf 'two molecules\n\n2 atoms\n1 atom types\n0 6 xlo xhi\n0 6 ylo yhi\n0 6 zlo zhi\n\nAtoms # hybrid\n\n1 1 1 1 1 1 1 7\n2 1 2 2 2 1 1 8\n' >mol.data
-prints 'units lj
+# clumps as LAMMPS' scripts define them: by the molecule ids of a data file
+printf 'two molecules\n\n4 atoms\n1 atom types\n0 6 xlo xhi\n0 6 ylo yhi\n0 6 zlo zhi\n\nAtoms # hybrid\n\n1 1 1 1 1 1 1 7\n2 1 1.8 1 1 1 1 7\n3 1 1 3 1 1 1 8\n4 1 1.8 3 1 1 1 8\n' >mol.data
+molecules='units lj
 atom_style hybrid sphere molecular
 newton off
-comm_modify vel yes
-read_data mol.data' '*the molecule ids of section Atoms are ignored'
+comm_modify vel yes cutoff 3
+read_data mol.data
+pair_style gran/hooke/history 1000 NULL 10 NULL 0.3 0
+pair_coeff * *
+neigh_modify exclude molecule/intra all
+group one molecule 7
+velocity one set 0.1 0 0
+fix 1 all rigid/small molecule
+timestep 0.001
+compute mol all property/atom mol
+compute most all reduce max c_mol
+run 5'
+prints "$molecules
+print \"\$(c_most) \$(count(one)) \$(vcm(one,x):%g) \$(mol[1])\"
+write_data again.data" '8 2 0.1 7'
+cp again.data mol.data
+prints "$molecules
+print \"\$(c_most) \$(count(one)) \$(mol[3])\"" '8 2 8'
 
 for command in 'run 1' 'print "$(count(two))"'; do
 	cat >in.script <<END
