@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "box/domain.h"
 #include "math/vec3.h"
 #include "voxel/voxel_distance.h"
 #include "voxel/voxel_surface.h"
@@ -49,6 +50,16 @@ static void find_extents(struct columns *s)
 	s->high[up] = ts_voxel_highest(f) + s->shift[up];
 }
 
+/* Middle of the field along an axis; where it has no end, it ends with the box, before it moves. */
+static double middle(const struct columns *s, const struct ts_box *box, int d)
+{
+	const double lo = isfinite(s->low[d]) ? s->low[d] : box->lo[d] + s->shift[d];
+	const double hi = isfinite(s->high[d]) ? s->high[d] : box->hi[d] + s->shift[d];
+
+	return isfinite(s->low[d]) || isfinite(s->high[d]) ? 0.5 * (lo + hi)
+							   : 0.5 * (box->lo[d] + box->hi[d]);
+}
+
 static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 {
 	struct columns *s = (struct columns *)solid;
@@ -61,8 +72,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	memcpy(s->shift, s->surface->shift, sizeof s->shift);
 	find_extents(s);
 	for (int d = 0; d < 3; d++)
-		m->centre[d] =
-			isfinite(s->low[d]) && isfinite(s->high[d]) ? 0.5 * (s->low[d] + s->high[d]) : 0;
+		m->centre[d] = middle(s, &sim->domain->box, d);
 	if (s->prescribed->centre)
 		memcpy(m->centre, s->prescribed->motion.centre, sizeof m->centre);
 	memcpy(m->velocity, s->prescribed->velocity ? s->prescribed->motion.velocity : s->surface->velocity,

@@ -39,7 +39,8 @@ static enum ts_status delete_variable(struct ts_script *script, const struct ts_
 	return TS_OK;
 }
 
-/* As in LAMMPS variables in the quotes of a string are substituted when it is defined; LIGGGHTS keeps their names. */
+/* As in LAMMPS variables in the quotes of a string are substituted when it is defined; LIGGGHTS keeps their names, and so does
+ * a text that names a variable that is not defined yet. */
 static enum ts_status define_string(struct ts_script *script, const struct ts_word *name,
 				    struct ts_words values)
 {
@@ -49,7 +50,14 @@ static enum ts_status define_string(struct ts_script *script, const struct ts_wo
 
 	if (status == TS_OK && text.failed)
 		status = ts_nomem(&script->sim->error);
-	word.text = ts_str_text(&text);
+	if (status == TS_UNKNOWN && script->sim->error.missing[0]) {
+		ts_warn(&script->sim->log, &word.place, "%s: variables in this text are not substituted",
+			script->sim->error.message);
+		ts_error_clear(&script->sim->error);
+		status = TS_OK;
+	} else {
+		word.text = ts_str_text(&text);
+	}
 	if (status == TS_OK)
 		status = ts_variable_define(&script->formulas, name, &ts_var_string,
 					    (struct ts_words){ &word, 1 });
@@ -66,7 +74,9 @@ static enum ts_status run_variable(struct tsim *sim, void *state, const struct t
 
 	TS_TRY(ts_script_of(sim, where, &script));
 	name = (struct ts_word){ .text = args->name, .place = *ts_script_place(script, 1, where) };
-	if (style == &ts_var_string && args->values.n == 1 && sim->legacy != TS_LEGACY_LIGGGHTS)
+	/* a program that sets a variable (no place) means the text as it is */
+	if (style == &ts_var_string && args->values.n == 1 && args->values.word[0].place.file &&
+	    sim->legacy != TS_LEGACY_LIGGGHTS)
 		return define_string(script, &name, args->values);
 	return style ? ts_variable_define(&script->formulas, &name, style, args->values)
 		     : delete_variable(script, &name);
