@@ -342,6 +342,16 @@ void ts_bond_energy(const struct tsim *sim, size_t b, double energy[TS_BOND_MODE
 			      bonds->rest[b]);
 }
 
+double ts_bond_elastic_energy(const struct tsim *sim, size_t b)
+{
+	double energy[TS_BOND_MODES], sum = 0;
+
+	ts_bond_energy(sim, b, energy);
+	for (int mode = 0; mode < TS_BOND_MODES; mode++)
+		sum += energy[mode];
+	return sum;
+}
+
 static void store_xyz(struct ts_xyz from, double sign, double to[3])
 {
 	to[0] = sign * from.x;

@@ -34,6 +34,8 @@ double ts_bond_moment_limit(const struct tsim *sim, size_t b);
 
 /* Bonds of any style. Elastic energy by mode (enum TS_BOND_NORMAL ...), that of a central spring is normal. */
 void ts_bond_energy(const struct tsim *sim, size_t b, double energy[TS_BOND_MODES]);
+/* Their sum. */
+double ts_bond_elastic_energy(const struct tsim *sim, size_t b);
 /* Force on the first particle and torques of the springs of bond b, without dashpots, in the present state. */
 void ts_bond_spring_load(const struct tsim *sim, size_t b, struct ts_bond_load *out);
 

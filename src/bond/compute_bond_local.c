@@ -21,12 +21,7 @@ static double column_rest_length(const struct tsim *sim, const struct ts_contact
 
 static double column_energy(const struct tsim *sim, const struct ts_contact_view *view)
 {
-	double energy[TS_BOND_MODES], sum = 0;
-
-	ts_bond_energy(sim, view->row, energy);
-	for (int mode = 0; mode < TS_BOND_MODES; mode++)
-		sum += energy[mode];
-	return sum;
+	return ts_bond_elastic_energy(sim, view->row);
 }
 
 /* ---- bonds that transmit moments */

@@ -44,14 +44,8 @@ static double energy_of_bonds(const struct tsim *sim, size_t i)
 	const struct ts_gather *g = &bonds->gather;
 	double sum = 0;
 
-	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++) {
-		double energy[TS_BOND_MODES], all = 0;
-
-		ts_bond_energy(sim, g->entry[k] >> 1, energy);
-		for (int mode = 0; mode < TS_BOND_MODES; mode++)
-			all += energy[mode];
-		sum += all;
-	}
+	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++)
+		sum += ts_bond_elastic_energy(sim, g->entry[k] >> 1);
 	return sum;
 }
 

@@ -33,16 +33,6 @@ double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i)
 	return 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
 }
 
-/* Spheres of clumps have shares of the energy of their clump. */
-static double rotation_of_all(const struct tsim *sim, size_t i)
-{
-	const struct ts_body *clump = clump_of(sim, i);
-
-	if (!clump)
-		return ts_kinetic_energy_rotation(sim, i);
-	return 0.5 * ts_dot(clump->spin, clump->omega) * (sim->particles->mass[i] / clump->mass);
-}
-
 static void kinetic_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	(void)context;
@@ -55,10 +45,14 @@ static void rotation_term(const struct tsim *sim, size_t i, void *context, doubl
 	term[0] = ts_kinetic_energy_rotation(sim, i);
 }
 
+/* Spheres of clumps have shares of the energy of their clump. */
 static void all_rotation_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
+	const struct ts_body *clump = clump_of(sim, i);
+
 	(void)context;
-	term[0] = rotation_of_all(sim, i);
+	term[0] = clump ? 0.5 * ts_dot(clump->spin, clump->omega) * (sim->particles->mass[i] / clump->mass)
+			: ts_kinetic_energy_rotation(sim, i);
 }
 
 double ts_group_kinetic_energy(const struct tsim *sim, int group)

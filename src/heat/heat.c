@@ -245,7 +245,8 @@ static enum ts_status eval_temperature(struct ts_instance *self, const struct ts
 	const struct ts_heat *h = self->state;
 
 	TS_TRY(ts_table_resize(out, sim->particles->n, 1));
-	memcpy(out->data, ts_heat_column(sim, h->temperature), sim->particles->n * sizeof *out->data);
+	if (sim->particles->n)
+		memcpy(out->data, ts_heat_column(sim, h->temperature), sim->particles->n * sizeof *out->data);
 	return TS_OK;
 }
 
