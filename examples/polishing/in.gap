@@ -9,8 +9,6 @@
 # RESULT lines: name, value, reference, how far they may be apart, ok or off. Units: h of the outlet, U, viscosity.
 
 variable	model index film
-variable	M index 200		# film: cells along the gap
-variable	N index 12		# cfd: cells across the outlet
 variable	K index 2		# gap at the inlet by that at the outlet
 variable	aspect index 20		# length by gap at the outlet
 variable	Re index 0.1

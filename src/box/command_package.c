@@ -6,6 +6,7 @@
 struct package {
 	int kind;
 	int64_t threads, grain;
+	bool neigh;
 };
 
 static enum ts_status set_threads(struct tsim *sim, void *state, const struct ts_place *where)
@@ -13,7 +14,8 @@ static enum ts_status set_threads(struct tsim *sim, void *state, const struct ts
 	const struct package *s = state;
 
 	(void)where;
-	sim->threads = (int)s->threads;
+	if (s->threads)
+		sim->threads = (int)s->threads;
 	sim->grain = (int)s->grain;
 	return TS_OK;
 }
@@ -23,8 +25,9 @@ static const char *const kinds[] = { "omp", NULL };
 static const struct ts_arg args[] = {
 	TS_ENUM("kind", struct package, kind, kinds, .flags = TS_POSITIONAL,
 		.help = "omp: threads of one process"),
-	TS_INT("threads", struct package, threads, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1024, .help = "number of threads"),
+	TS_INT("threads", struct package, threads, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,
+	       .hi = 1024, .help = "number of threads; 0: as many as without this command"),
+	TS_BOOL("neigh", struct package, neigh, .fallback = "yes", .help = "of LAMMPS, no effect"),
 	TS_INT("grain", struct package, grain, .range = TS_WITHIN, .lo = 1, .hi = 1e9, .fallback = "8192",
 	       .help = "minimum number of loop iterations per thread: shorter loops use fewer threads"),
 	TS_ARGS_END,

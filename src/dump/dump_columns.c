@@ -31,8 +31,7 @@ enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim, s
 	if (c->index)
 		return TS_OK;
 	snprintf(what, sizeof what, "dump %s", self->style->name);
-	return ts_ref_input_resolve(sim, what, local ? TS_WANT(LOCAL) : TS_WANT(PERATOM) | TS_WANT(SCALAR),
-				    &c->input);
+	return ts_ref_input_resolve(sim, what, local ? TS_WANT(LOCAL) : TS_WANT(PERATOM), &c->input);
 }
 
 /* Called once: expands c_ID[*] to several columns. */
@@ -77,7 +76,5 @@ enum ts_status ts_dump_evaluate(struct ts_dump_column *c, struct tsim *sim)
 		return TS_OK;
 	if (c->element)
 		return ts_quantity_eval(sim, "type", &c->values);
-	if (c->input.shape == TS_SCALAR) /* a global value, repeated for all particles */
-		return ts_ref_peratom(sim, &c->input.ref, &c->input.where, &c->values);
 	return ts_ref_input_eval(sim, &c->input, &c->values);
 }

@@ -149,7 +149,7 @@ static double torque_term(const struct selection *c, size_t i, int a, int b)
 /* A run must not end because an output finds nobody: the value is that of LAMMPS and LIGGGHTS, and is warned of once. */
 static void warn_empty(struct selection *c, const struct ts_word *name, const char *value)
 {
-	if (c->sim->groups.told_empty)
+	if (c->sim->groups.told_empty || (c->sim->reading.explain && c->sim->reading.planned))
 		return;
 	c->sim->groups.told_empty = true;
 	ts_warn(&c->sim->log, &name->place,

@@ -48,7 +48,8 @@ struct ts_setup {
 int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char **argv);
 struct ts_program_option {
 	const char *name, *values, *help;
-	int least; /* smallest number of values */
+	int least;	   /* smallest number of values */
+	const char *alias; /* short name, as in LAMMPS; may be NULL */
 };
 /* Option k, from 0; NULL at the end. */
 const struct ts_program_option *ts_program_option(size_t k);

@@ -21,6 +21,9 @@ enum option_id {
 	OPT_PROGRESS,
 	OPT_ECHO,
 	OPT_THREADS,
+	OPT_PACKAGE,
+	OPT_SUFFIX,
+	OPT_NOCITE,
 	OPT_LEGACY,
 	OPT_LIMIT,
 	OPT_SHELL,
@@ -65,14 +68,17 @@ enum option_id {
 };
 
 static const struct ts_program_option options[NOPTIONS] = {
-	[OPT_IN] = { "in", "FILE", "script to run; without it standard input is read", 1 },
-	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2 },
-	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1 },
-	[OPT_SCREEN] = { "screen", "FILE|none", "file for the screen output", 1 },
+	[OPT_IN] = { "in", "FILE", "script to run; without it standard input is read", 1, "i" },
+	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2, "v" },
+	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1, "l" },
+	[OPT_SCREEN] = { "screen", "FILE|none", "file for the screen output", 1, "sc" },
 	[OPT_PROGRESS] = { "progress", "SECONDS|none",
 			   "how long a terminal is silent before a run shows its progress (10)", 1 },
-	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are echoed (log)", 1 },
+	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are echoed (log)", 1, "e" },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
+	[OPT_PACKAGE] = { "package", "omp N", "the same, as in LAMMPS", 2, "pk" },
+	[OPT_SUFFIX] = { "suffix", "WORDS", "of LAMMPS, no effect: all styles use threads", 1, "sf" },
+	[OPT_NOCITE] = { "nocite", "", "of LAMMPS, no effect", 0, "nc" },
 	[OPT_LEGACY] = { "legacy", "[lammps]",
 			 "results of LIGGGHTS, or of LAMMPS, where they differ: -help legacy", 0 },
 	[OPT_LIMIT] = { "input-limit", "GB",
@@ -124,7 +130,7 @@ static const struct ts_program_option options[NOPTIONS] = {
 	[OPT_RIGHTLABEL] = { "rightlabel", "TEXT", "with -plot: the same of the axis on the right", 1 },
 	[OPT_SIZE] = { "size", "WIDTHxHEIGHT", "with -plot: of a plot, letters are 13 high (480x320)", 1 },
 	[OPT_HELP] = { "help", "[WORDS]", "manual page, -help fix gravity, or search, -help angle of repose",
-		       0 },
+		       0, "h" },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode|bash",
 			  "print the colors for that editor, or the completion for bash", 1 },
@@ -292,6 +298,18 @@ static int usage_status(bool wrong)
 	return wrong ? TS_EXIT_USAGE : 0;
 }
 
+/* -package omp N; 0: as many as without it. */
+static int set_package(struct tsim *sim, struct ts_setup *setup, char *const *value)
+{
+	if (!ts_streq(value[0], "omp"))
+		return ts_program_usage_error("expected omp after -package, found '%s'; tsim has threads%s",
+					      value[0], "");
+	if (ts_streq(value[1], "0"))
+		return 0;
+	return usage_status(add_words(&setup->own, "-threads", value + 1, 1) ||
+			    set_count(&sim->threads, value[1], 1024, "1024 after -package omp"));
+}
+
 /* Options of -sweep and -calibrate. */
 static int apply_study(struct ts_setup *setup, enum option_id id, char *const *value, int n)
 {
@@ -418,6 +436,11 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 	case OPT_THREADS:
 		return usage_status(add_words(&setup->own, "-threads", value, n) ||
 				    set_count(&sim->threads, value[0], 1024, "1024 after -threads"));
+	case OPT_PACKAGE:
+		return set_package(sim, setup, value);
+	case OPT_SUFFIX:
+	case OPT_NOCITE:
+		break;
 	case OPT_LEGACY:
 		return set_legacy(sim, n ? value[0] : NULL);
 	case OPT_SIGNAL:
@@ -446,6 +469,11 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 static bool is_option(const char *text)
 {
 	return text[0] == '-' && text[1] && !strchr("0123456789.", text[1]);
+}
+
+static bool is_called(const struct ts_program_option *option, const char *name)
+{
+	return ts_streq(option->name, name) || (option->alias && ts_streq(option->alias, name));
 }
 
 static int unknown_option(const char *text)
@@ -499,15 +527,14 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			return ts_program_usage_error("expected an option, found '%s'%s; a script is given "
 						      "by -in FILE",
 						      text, "");
-		while (id < NOPTIONS && !ts_streq(options[id].name, name) &&
-		       !(name[0] == options[id].name[0] && !name[1] && strchr("ivleh", name[0])))
+		while (id < NOPTIONS && !is_called(&options[id], name))
 			id++;
 		if (id == NOPTIONS)
 			return unknown_option(text);
-		variadic = id == OPT_VAR || id == OPT_LEGACY || id == OPT_HELP || id == OPT_ADVISE ||
-			   id == OPT_FULL || id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT ||
-			   id == OPT_RIGHT || id == OPT_MARK || id == OPT_REPORT ||
-			   (id >= OPT_SWEEP && id <= OPT_REPLICATE);
+		variadic = id == OPT_VAR || id == OPT_PACKAGE || id == OPT_SUFFIX || id == OPT_LEGACY ||
+			   id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL || id == OPT_CROSSCHECK ||
+			   id == OPT_SANDBOX || id == OPT_PLOT || id == OPT_RIGHT || id == OPT_MARK ||
+			   id == OPT_REPORT || (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;
 		if (n < options[id].least)

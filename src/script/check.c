@@ -190,6 +190,7 @@ static enum ts_status create_substitute_box(struct ts_script *script, struct ts_
 	enum ts_status status;
 
 	check->substitute_box = true;
+	script->sim->reading.planned = true; /* particles are unknown, as after a run that is left out */
 	if (ts_sim_has_box(script->sim) || check->creating_box)
 		return TS_OK;
 	if (words.n < 2 || !ts_parse_int(words.word[1].text, &types) || types < 1 || types > 1000)

@@ -14,6 +14,7 @@ struct ts_check;
 struct ts_script_text {
 	struct ts_script_text *next;
 	const char *name, *text;
+	bool included; /* by another script */
 };
 
 struct ts_script {

@@ -164,6 +164,7 @@ static enum ts_status store_text(struct ts_script *script, struct ts_source *sou
 	if (!text)
 		return ts_nomem(&script->sim->error);
 	text->name = source->name;
+	text->included = source->outer != NULL;
 	text->text = ts_arena_strdup(&script->arena, ts_str_text(&source->text));
 	if (!text->text)
 		return ts_nomem(&script->sim->error);

@@ -2,7 +2,8 @@
  *
  * The search is purely textual and includes lines never reached: a name counts as used wherever it occurs
  * outside of comments and of the line that defines it, also behind c_, f_, v_ or in quotes. So a use in a
- * branch not taken, or in a command composed of variables, is never overlooked. */
+ * branch not taken, or in a command composed of variables, is never overlooked. Scripts that are included may define
+ * what only others that include them mention: their definitions are not looked at. */
 #include <ctype.h>
 #include <string.h>
 
@@ -99,7 +100,8 @@ static size_t length_without_comment(const char *line, size_t n)
 	return n;
 }
 
-static void search_line(struct search *s, const char *line, size_t n, bool continued,
+/* mentions: the line only mentions names, as it goes on another one or is of a script that is included. */
+static void search_line(struct search *s, const char *line, size_t n, bool mentions,
 			const struct ts_place *where)
 {
 	static const char blanks[] = " \t";
@@ -110,7 +112,7 @@ static void search_line(struct search *s, const char *line, size_t n, bool conti
 		return;
 	word = strcspn(line + first, " \t\n");
 	id = first + word + strspn(line + first + word, blanks);
-	for (size_t k = 0; !continued && k < sizeof defining / sizeof *defining; k++) {
+	for (size_t k = 0; !mentions && k < sizeof defining / sizeof *defining; k++) {
 		if (strlen(defining[k]) != word || strncmp(defining[k], line + first, word) != 0 || id >= n)
 			continue;
 		end = id + strcspn(line + id, " \t\n");
@@ -123,15 +125,16 @@ static void search_line(struct search *s, const char *line, size_t n, bool conti
 	mark_names_used(s, line + first, n - first);
 }
 
-static void search_text(struct search *s, const char *name, const char *text)
+static void search_text(struct search *s, const struct ts_script_text *script)
 {
-	struct ts_place where = { .file = name, .line = 1 };
+	struct ts_place where = { .file = script->name, .line = 1 };
+	const char *text = script->text;
 	bool continued = false;
 
 	for (; *text; where.line++) {
 		size_t n = strcspn(text, "\n"), end = n;
 
-		search_line(s, text, n, continued, &where);
+		search_line(s, text, n, continued || script->included, &where);
 		while (end && isspace((unsigned char)text[end - 1]))
 			end--;
 		continued = end && text[end - 1] == '&';
@@ -170,7 +173,7 @@ void ts_script_warn_unused(struct ts_script *script)
 				variable->name);
 	}
 	for (const struct ts_script_text *t = script->text; t; t = t->next)
-		search_text(&s, t->name, t->text);
+		search_text(&s, t);
 	warn_unused(&s);
 	ts_map_release(&s.used);
 	ts_arena_release(&s.arena);

@@ -55,6 +55,12 @@ grep -q '^# settings: units si dimension 3 (default) timestep 0.0001 ' log.a
 report 'settings of the simulation' $? log.a
 grep -qx '# run: N 2; by default: pre yes post yes unsafe no' log.a
 report 'defaults of a run' $? log.a
+# What only other scripts that include the same one use is not warned of.
+printf 'units si\nvariable spare equal 1\nvariable shared equal 2\n' >in.parts
+printf 'variable ownn equal 3\ninclude in.parts\nprint "${shared}"\n' >in.whole
+"$TSIM" -in in.whole -log none >out 2>&1
+[ "$(grep -c 'never used' out)" = 1 ] && grep -q "in.whole:1: warning: variable 'ownn' is never used" out
+report 'names of included scripts' $? out
 printf 'echo none\nunits si\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 0\n' >in.b
 "$TSIM" -in in.b -log log.b >out 2>err
 ! grep -q '^#' log.b

@@ -77,4 +77,12 @@ compute e all ke/atom
 dump_modify 1 refresh c_e" 'has no reference state to refresh'
 rejects "$three
 compute way all displace/atom refresh v_to" "no such variable 'to'"
+# A number of the whole scene is no column, as in LAMMPS.
+rejects "$three
+variable s equal step
+dump 1 all custom 1 all.dump id v_s" "'v_s' is a single number, expected numbers of particles"
+rejects "$three
+compute e all ke
+dump 1 all custom 1 all.dump id c_e
+run 1" "'c_e' is a single number, expected numbers of particles"
 finish

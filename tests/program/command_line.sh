@@ -59,6 +59,13 @@ expect 'stray word' 2 '' "tsim: expected an option, found 'in.script'; a script 
 $more" in.script
 expect 'threads' 2 '' "tsim: expected a number from 1 to 1024 after -threads, found '0'
 $more" -threads 0
+# as LAMMPS is called
+echo 'print "$m"' >in.empty
+expect 'options of LAMMPS' 0 '' '' -sf hybrid omp gpu -pk omp 2 neigh no -nocite -nc -v m 1 2 -e none -l none -sc none -i in.empty
+expect 'threads of a package' 2 '' "tsim: expected a number from 1 to 1024 after -package omp, found '-3'
+$more" -pk omp -3
+expect 'another package' 2 '' "tsim: expected omp after -package, found 'gpu'; tsim has threads
+$more" -package gpu 1
 expect 'missing script' 1 "$version" \
 	"error: cannot open script 'none': No such file or directory" -in none -log none
 expect 'unknown page' 2 '' "tsim: there is no command 'prin'; did you mean 'print'?

@@ -521,5 +521,7 @@ cp -r "$top_srcdir"/examples/{flow,film,everyday,rock,polishing} .
 for deck in flow/*/in.* film/in.* everyday/in.* rock/in.* polishing/in.{wafer,gap,paml,stribeck}; do
 	(cd "${deck%/*}" && "$TSIM" -check -in "${deck##*/}") >out 2>err
 	report "examples/$deck has no errors" $? err
+	! grep -E 'created no bond|has no particles|never used' out >found
+	report "examples/$deck is not warned of what runs have not made, nor of names" $? found
 done
 finish
