@@ -374,6 +374,8 @@ enum ts_status ts_ref_check(struct tsim *sim, const struct ts_ref *ref, const st
 	const struct ts_script_api *api = sim->script_api;
 	void *data = sim->script_api_data;
 
+	if (ref->kind == TS_REF_KEYWORD)
+		return ts_keyword_check(sim, ref->keyword, where);
 	if (ref->kind != TS_REF_VARIABLE)
 		return TS_OK;
 	return api->check_variable(data, ref->variable,

@@ -295,6 +295,9 @@ struct ts_system_style {
 	/* Appends what commands have set to the record of settings in the log; core/settings.h. */
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;
+	/* Before a run: refuses a keyword that can have no value in it; NULL: none. */
+	enum ts_status (*check_keyword)(struct tsim *sim, const struct ts_keyword *keyword,
+					const struct ts_place *where);
 	const struct ts_function *functions;
 	/* What acts in each step of the run by a value that depends on the particles of all ranks, as the subject of a message;
 	 * NULL: nothing. */

@@ -106,6 +106,16 @@ const struct ts_keyword *ts_keyword_find(const struct ts_tables *tables, const c
 	return NULL;
 }
 
+enum ts_status ts_keyword_check(struct tsim *sim, const struct ts_keyword *keyword,
+				const struct ts_place *where)
+{
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
+		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
+			if (k == keyword && (*s)->check_keyword)
+				return (*s)->check_keyword(sim, keyword, where);
+	return TS_OK;
+}
+
 const struct ts_function *ts_function_find(const struct ts_tables *tables, const char *name)
 {
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++)

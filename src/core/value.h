@@ -82,6 +82,9 @@ struct ts_keyword {
 /* To be called when an output names the keyword: sets sim->run.shows_contacts, shows_lists. */
 void ts_keyword_shows(struct tsim *sim, const struct ts_keyword *keyword);
 const struct ts_keyword *ts_keyword_find(const struct ts_tables *tables, const char *name);
+/* Before a run: an error if the keyword can have no value in it. */
+enum ts_status ts_keyword_check(struct tsim *sim, const struct ts_keyword *keyword,
+				const struct ts_place *where);
 /* The same for all keywords in a script word. */
 void ts_keywords_scan(struct tsim *sim, const char *text);
 

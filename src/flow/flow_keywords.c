@@ -1,5 +1,6 @@
 /* Keywords of the fluid for thermo_style and formulas. */
 #include <math.h>
+#include <stdio.h>
 
 #include "core/ranks.h"
 #include "flow/flow.h"
@@ -55,6 +56,16 @@ static const struct ts_keyword keywords[] = {
 	{ .name = NULL },
 };
 
+static enum ts_status check_keyword(struct tsim *sim, const struct ts_keyword *keyword,
+				    const struct ts_place *where)
+{
+	char who[40];
+	struct ts_fluid *fluid;
+
+	snprintf(who, sizeof who, "keyword %s", keyword->name);
+	return ts_flow_require_fluid(sim, who, where, &fluid);
+}
+
 static bool is_shared(const struct tsim *sim, const struct ts_flow_condition *condition)
 {
 	bool is = ts_ranks_variable_shared(sim, condition->pressure.variable);
@@ -85,5 +96,6 @@ const struct ts_system_style ts_flow_system = {
 		.summary = "Numbers of the fluid for the table of the log",
 	},
 	.keywords = keywords,
+	.check_keyword = check_keyword,
 	.undivided = undivided,
 };

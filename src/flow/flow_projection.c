@@ -481,6 +481,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
 	size_t before = report->nlimits;
 
+	for (int d = 0; d < 3 && !report->limits_only; d++) /* a variable may have been deleted */
+		TS_TRY(ts_sim_defer_error(sim, ts_number_check(sim, &p->body_force[d], &self->where)));
 	if (!report->limits_only)
 		TS_TRY(report_plan(self, sim, report));
 	if (!p->substeps)

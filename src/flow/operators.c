@@ -71,11 +71,12 @@ enum ts_status ts_operators_make(struct ts_operators *operators, const struct ts
 		memory += 2 * length;
 		make_line(&operators->centred[d], grid->centre[d], grid->face[d], -g, n + g - 1, &memory);
 		/* The sides of the volume around face m are centres m - 1 and m. */
-		for (int m = -g + 1; m < n + g; m++) {
+		for (int m = -g + 1; m <= n + g; m++)
 			centre[m] = grid->centre[d][m - 1];
+		for (int m = -g + 1; m < n + g; m++)
 			mass[m] = 0.5 * grid->width[d][m - 1] / grid->gap[d][m];
-		}
-		make_line(&operators->staggered[d], grid->face[d], centre, -g, n + g - 1, &memory);
+		/* Face n is an unknown at an open face, where flow may enter through the side beyond it. */
+		make_line(&operators->staggered[d], grid->face[d], centre, -g, n + g, &memory);
 		operators->mass[d] = mass;
 	}
 	return TS_OK;

@@ -41,6 +41,7 @@ struct ts_immersed_point {
 	double before; /* velocity before the forcing */
 	bool deep;     /* inside, far from the surface */
 	bool outside;  /* in the fluid: an outer point (struct ts_immersed_outer) */
+	int32_t turn; /* periods along the last axis between the point in `at` and its image beside the part */
 };
 
 /* A position in the fluid at which the velocity is sampled, relative to the points of the component. */
@@ -68,12 +69,12 @@ struct ts_immersed_sums {
 	double velocity[3], spin[3]; /* inside: mean of u, and of (x - X) x u about the mean position X */
 };
 
-/* The points of one component of one part in one plane across the last axis, and sums over them. Ranks divide planes, so sums
+/* The points of one component of one part (an image of it) in one plane across the last axis, and sums over them. Ranks divide planes, so sums
  * over planes in their order are the same on any number of ranks. */
 struct ts_immersed_layer {
 	size_t first, end;	 /* of its points */
 	int32_t component, part; /* the component is c */
-	int32_t plane;
+	int32_t plane, turn;
 	double impulse[3]; /* in this step: along c, and about the axes c + 1 and c + 2 (modulo 3) */
 	double stage[3];   /* the same of the present substep */
 };
@@ -94,8 +95,8 @@ struct ts_immersed {
 	int planes_beside;		 /* of ts_immersed_planes_beside */
 	struct ts_immersed_layer *layer; /* in the order of the points */
 	size_t nlayers, layer_capacity;
-	double *distance; /* work fields for several parts: least distance of a part from each point, */
-	int32_t *owner;	  /* and that part, from 1 */
+	double *distance; /* work fields where parts or images may be near the same point: the least distance from it, */
+	size_t *owner; /* and the number in `point` of the point for that part or image, from 1 */
 	struct ts_immersed_sums *sums; /* of each part */
 	size_t sums_capacity;
 	struct ts_parcel own_layers, all_layers; /* sums of layers, as ranks tell each other */

@@ -32,6 +32,7 @@ struct search {
 	int from[3], to[3];  /* ranges of indices; along periodic axes also beyond the grid */
 	const int *planes;   /* of struct ts_immersed */
 	bool parallel;	     /* several threads: the part of a point is determined later */
+	bool contested;	     /* a point may be near several parts, or near several images of one */
 	struct ts_immersed_point *last;
 };
 
@@ -71,8 +72,9 @@ static int cell_of(const struct ts_grid *grid, int d, double x)
 	return (int)turns * grid->n[d] + ts_grid_find(grid, d, x - turns * period_length(grid, d));
 }
 
-/* Sets the ranges of points near the part: its bounding box and two cells around it. Along axes that are
- * not periodic only points inside the boundaries, and on open faces. */
+/* Sets the ranges of points near the part: its bounding box and two cells around it. Along periodic axes they may be longer
+ * than the grid: a point may be near both ends of a part, by different images. Along others only points inside the
+ * boundaries, and on open faces. */
 static void find_point_ranges(struct search *s)
 {
 	const struct ts_grid *grid = s->grid;
@@ -92,11 +94,8 @@ static void find_point_ranges(struct search *s)
 			s->from[d] = cell_of(grid, d, s->lo[d]) - 2;
 		if (grid->periodic[d] || (s->hi[d] > lo && s->hi[d] < hi))
 			s->to[d] = cell_of(grid, d, s->hi[d]) + 4;
-		if (grid->periodic[d]) {
-			if (s->to[d] - s->from[d] > n)
-				s->to[d] = s->from[d] + n;
+		if (grid->periodic[d])
 			continue;
-		}
 		s->from[d] = s->from[d] < first ? first : s->from[d];
 		s->to[d] = s->lo[d] > hi || s->hi[d] < lo ? s->from[d] : s->to[d] > n ? n : s->to[d];
 	}
@@ -141,17 +140,17 @@ static void set_place(const struct search *s, int i, struct place *at)
 	at->reach_width = at->width[0];
 }
 
-/* Whether this part is the nearest to the point so far; marks it. keep_nearest removes the points of the
+/* Whether no part or image before is as near to the point; the point that is added next then owns it. keep_owners removes the
  * others. */
-static bool is_nearest_part(struct search *s, size_t at, double distance)
+static bool is_nearest(const struct search *s, size_t at, double distance)
 {
 	struct ts_immersed *ib = s->ib;
 
-	if (s->solid->parts < 2 || s->parallel)
+	if (!s->contested || s->parallel)
 		return true;
 	if (ib->owner[at] && !(distance < ib->distance[at]))
 		return false;
-	ib->owner[at] = (int32_t)s->part + 1;
+	ib->owner[at] = ib->npoints + 1;
 	ib->distance[at] = distance;
 	return true;
 }
@@ -163,7 +162,7 @@ static enum ts_status add_point(struct search *s, const struct place *place, dou
 	struct ts_immersed_point *p;
 
 	s->last = NULL;
-	if (!is_nearest_part(s, at, distance))
+	if (!is_nearest(s, at, distance))
 		return TS_OK;
 	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + 1));
 	if (s->parallel) {
@@ -173,6 +172,7 @@ static enum ts_status add_point(struct search *s, const struct place *place, dou
 	p = s->last = &ib->point[ib->npoints++];
 	*p = (struct ts_immersed_point){ .at = at, .part = (int32_t)s->part, .solid = 1 };
 	p->index = index_in_grid(s->grid, s->component, place->i[s->component]);
+	p->turn = s->grid->periodic[2] ? image_number(place->i[2], s->grid->n[2]) : 0;
 	ts_sub(place->x, s->solid->motion[s->part].centre, p->arm);
 	p->volume = place->width[0] * place->width[1] * place->width[2];
 	if (!s->grid->periodic[s->component] && (p->index == 0 || p->index == s->grid->n[s->component]))
@@ -379,14 +379,14 @@ static enum ts_status search_row(struct search *s, int j, int k)
 	return TS_OK;
 }
 
-/* Keeps the points that belong to their nearest part, and resets the work fields. */
-static void keep_nearest(struct ts_immersed *ib, size_t first, size_t first_band)
+/* Keeps the points of the nearest part or image, and resets the work fields. */
+static void keep_owners(struct ts_immersed *ib, size_t first, size_t first_band)
 {
 	size_t n = first, bands = first_band, b = first_band;
 
 	for (size_t k = first; k < ib->npoints; k++) {
 		struct ts_immersed_point p = ib->point[k];
-		bool mine = ib->owner[p.at] == p.part + 1;
+		bool mine = ib->owner[p.at] == k + 1;
 
 		if (b < ib->nouter && ib->outer[b].point == k) {
 			ib->outer[bands] = ib->outer[b++];
@@ -493,8 +493,7 @@ static enum ts_status append_chunk(struct search *s, const struct ts_immersed *c
 		const struct ts_immersed_candidate *candidate = &chunk->candidate[k];
 		const struct ts_immersed_outer *b = p->outside ? &chunk->outer[band++] : NULL;
 
-		s->part = (size_t)p->part;
-		if (!is_nearest_part(s, p->at, candidate->distance))
+		if (!is_nearest(s, p->at, candidate->distance))
 			continue;
 		if (b) {
 			ib->outer[ib->nouter] = *b;
@@ -522,6 +521,15 @@ static enum ts_status search_in_parallel(struct search *s, size_t rows, int team
 	return TS_OK;
 }
 
+static enum ts_status allocate_owners(struct ts_immersed *ib, const struct ts_grid *grid)
+{
+	if (ib->owner)
+		return TS_OK;
+	ib->distance = ts_alloc(grid->size, sizeof *ib->distance);
+	ib->owner = ts_alloc(grid->size, sizeof *ib->owner);
+	return ib->distance && ib->owner ? TS_OK : TS_NOMEM;
+}
+
 static enum ts_status find_component_points(struct search *s)
 {
 	enum { ROUNDS = 8 }; /* work of a point in iterations of a simple loop, for the number of threads */
@@ -529,29 +537,23 @@ static enum ts_status find_component_points(struct search *s)
 	size_t first = ib->npoints, first_band = ib->nouter, rows = 0, looks = 0;
 	int team;
 
+	s->contested = s->solid->parts > 1;
 	for (size_t part = 0; part < s->solid->parts; part++) {
 		size_t more = begin_part_search(s, part);
 
+		for (int d = 0; d < 3; d++)
+			s->contested |= s->grid->periodic[d] && s->to[d] - s->from[d] > s->grid->n[d];
 		rows += more;
 		looks += more * (size_t)(s->to[0] - s->from[0]);
 	}
 	team = ts_fluid_team(s->fluid, ROUNDS * looks);
 	team = rows < (size_t)team ? (int)rows : team;
+	if (s->contested)
+		TS_TRY(allocate_owners(ib, s->grid));
 	TS_TRY(team > 1 ? search_in_parallel(s, rows, team) : search_rows(s, 0, rows));
-	if (s->solid->parts > 1)
-		keep_nearest(ib, first, first_band);
+	if (s->contested)
+		keep_owners(ib, first, first_band);
 	return TS_OK;
-}
-
-static enum ts_status allocate_scratch(struct ts_immersed *ib, const struct ts_solid *solid,
-				       const struct ts_grid *grid)
-{
-	TS_TRY(TS_GROW(ib->sums, ib->sums_capacity, solid->parts));
-	if (solid->parts < 2 || ib->owner)
-		return TS_OK;
-	ib->distance = ts_alloc(grid->size, sizeof *ib->distance);
-	ib->owner = ts_alloc(grid->size, sizeof *ib->owner);
-	return ib->distance && ib->owner ? TS_OK : TS_NOMEM;
 }
 
 /* ---- layers */
@@ -566,16 +568,19 @@ static enum ts_status find_layers(struct ts_immersed *ib, const struct ts_grid *
 	ib->nlayers = 0;
 	for (int c = 0; c < grid->dimensions; c++)
 		for (size_t k = ib->first[c], first = k; k < ib->first[c + 1]; first = k) {
-			const int32_t part = ib->point[first].part;
+			const int32_t part = ib->point[first].part, turn = ib->point[first].turn;
 			const int plane = plane_of(grid, &ib->point[first]);
 
 			while (k < ib->first[c + 1] && ib->point[k].part == part &&
-			       plane_of(grid, &ib->point[k]) == plane)
+			       ib->point[k].turn == turn && plane_of(grid, &ib->point[k]) == plane)
 				k++;
 			TS_TRY(TS_GROW(ib->layer, ib->layer_capacity, ib->nlayers + 1));
-			ib->layer[ib->nlayers++] = (struct ts_immersed_layer){
-				.first = first, .end = k, .component = c, .part = part, .plane = plane
-			};
+			ib->layer[ib->nlayers++] = (struct ts_immersed_layer){ .first = first,
+									       .end = k,
+									       .component = c,
+									       .part = part,
+									       .plane = plane,
+									       .turn = turn };
 		}
 	return TS_OK;
 }
@@ -635,7 +640,7 @@ enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *
 	};
 
 	release_other_planes(ib, fluid);
-	TS_TRY(allocate_scratch(ib, solid, &fluid->grid));
+	TS_TRY(TS_GROW(ib->sums, ib->sums_capacity, solid->parts));
 	find_planes(fluid, ib->planes);
 	ib->planes_beside = ts_immersed_planes_beside(&fluid->grid);
 	ib->npoints = ib->nouter = 0;

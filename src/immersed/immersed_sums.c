@@ -17,7 +17,7 @@ struct mean {
 
 /* Of a layer, as ranks tell each other. */
 struct layer_sums {
-	int32_t part, component, plane, unused;
+	int32_t part, component, plane, turn;
 	double impulse[3];
 	double slip; /* largest of its points */
 	struct mean inside;
@@ -123,7 +123,9 @@ static void sum_layers(void *context, size_t from, size_t to)
 		const int c = layer->component;
 		struct layer_sums *sums = &sums_of(&ib->own_layers)[k];
 
-		*sums = (struct layer_sums){ .part = layer->part, .component = c, .plane = layer->plane };
+		*sums = (struct layer_sums){
+			.part = layer->part, .component = c, .plane = layer->plane, .turn = layer->turn
+		};
 		memcpy(sums->impulse, layer->impulse, sizeof sums->impulse);
 		for (size_t m = layer->first; m < layer->end; m++) {
 			const struct ts_immersed_point *p = &ib->point[m];
@@ -145,7 +147,9 @@ static int by_part(const void *first, const void *second)
 		return a->part < b->part ? -1 : 1;
 	if (a->component != b->component)
 		return a->component - b->component;
-	return (a->plane > b->plane) - (a->plane < b->plane);
+	if (a->plane != b->plane)
+		return a->plane < b->plane ? -1 : 1;
+	return (a->turn > b->turn) - (a->turn < b->turn);
 }
 
 static void add_means(struct mean *sum, const struct mean *more)

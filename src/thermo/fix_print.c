@@ -216,6 +216,12 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
+/* LAMMPS also prints where a run begins. */
+static enum ts_status set_up(struct ts_instance *self, struct tsim *sim)
+{
+	return sim->legacy == TS_LEGACY_LAMMPS ? end_of_step(self, sim) : TS_OK;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
@@ -273,7 +279,8 @@ const struct ts_style ts_fix_print = {
 	.summary = "Prints a line of text every N steps",
 	.doc = "Prints the line at the end of each step that is a multiple of N; ${name} and $(formula) in "
 	       "it are replaced by their current values. Before the first step of a run they are checked: "
-	       "variables, computes and fixes must exist and have values of the right shape.\n\n"
+	       "variables, computes and fixes must exist and have values of the right shape. With `legacy "
+	       "lammps` a line is also printed where a run begins, if its step is a multiple of N.\n\n"
 	       "A file whose name ends in .csv is a table of comma-separated values: the parts of the text, "
 	       "separated by blanks or commas, are its columns, and the first line has their names: those of "
 	       "`title`, else `name` for ${name} and `formula` for $(formula). An appended table has one "
@@ -283,6 +290,7 @@ const struct ts_style ts_fix_print = {
 	.state_size = sizeof(struct state),
 	.init = init,
 	.plan = plan,
+	.hook[TS_STAGE_SETUP] = set_up,
 	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
 	.fini = fini,
 };

@@ -249,4 +249,32 @@ flow_boundary xhi outlet pressure v_p set y y"; do
 run 2
 print \"went\"" 'went'
 done
+# ---- fluid that is driven from each face in turn: P t/(rho L), with all schemes
+cat >in.driven <<'END'
+units si
+boundary f f f
+region box block 0 2.5 0 2.5 0 2.5 units box
+create_box 1 box
+flow_style projection cells 10 10 10 viscosity 0.01 density 2 convection ${scheme}
+variable around index xlo xhi ylo yhi zlo zhi
+label around
+flow_boundary ${around} slip
+next around
+jump SELF around
+flow_boundary ${in} inlet pressure 3
+flow_boundary ${out} outlet
+compute f all flow/flux ${axis} 1.25
+timestep 0.02
+run 50
+print "is $(abs(c_f[1])/(3*time/2/2.5*2.5^2)-1)"
+END
+cp in.driven in.script
+for axis in x y z; do
+	for ends in 'lo hi' 'hi lo'; do
+		read -r from to <<<"$ends"
+		for scheme in donor central quick cubista; do
+			small 'driven from' 1e-9 -var axis $axis -var in $axis"$from" -var out $axis"$to" -var scheme $scheme
+		done
+	done
+done
 finish

@@ -377,6 +377,34 @@ print "is vx $(c_p[1][1]) $(c_p[2][1])"
 print "is vy $(c_p[1][2]) $(-c_p[2][2]) 1"
 print "is torque_y $(f_b[5]) 0 $(f_b[1])"'
 
+# ---- a body that nearly fills a period: one in a cube, eight in the doubled cube, spheres and a region
+cat >in.period <<'END'
+units si
+atom_style sphere
+boundary p p p
+region box block 0 ${m} 0 ${m} 0 ${m} units box
+create_box 1 box
+flow_style projection cells $(8*v_m) $(8*v_m) $(8*v_m) viscosity 1.3 density 100 body_force 0.3 0.1 0.2
+pressure_style direct
+lattice sc 1 origin 0.45 0.47 0.51
+create_atoms 1 box
+set group all diameter 0.8 density 2385
+region one sphere 0.45 0.47 0.51 0.4 units box
+fix b all immersed/boundary ${body}
+timestep 1e-3
+run 20
+print "of one $(f_b[1]/atoms:%.10g) $(f_b[2]/atoms:%.10g) $(f_b[3]/atoms:%.10g) $(flow_ke/atoms:%.10g)"
+END
+period() { # M BODY
+	"$TSIM" -in in.period -log none -var m "$1" -var body "$2" 2>&1 </dev/null | grep '^of one'
+}
+period 1 spheres >one
+for run in '2 spheres' '1 region one'; do
+	period "${run%% *}" "${run#* }" >other
+	[ -s one ] && cmp one other
+	report "a sphere in a period of 8 cells: $run" $? one
+done
+
 # warns WHAT REGION TEXT
 warns() {
 	printf '%s\nregion b %s units box\nfix b all immersed/boundary region b min_cells 0\ntimestep 1e-4\nrun 1\n' "$scene" "$2" >in.script
