@@ -353,17 +353,17 @@ struct velocity_task {
 	double *const *u;
 	int d;
 	bool keep;
+	bool along; /* fills the components along the faces, else that across them */
 	struct plane across;
 };
 
-/* The component across the face comes first: its sign determines the ghosts of the others on open faces. */
 static void velocity_rows(void *context, size_t from, size_t to)
 {
 	const struct velocity_task *task = context;
 	const struct ts_grid *grid = &task->fluid->grid;
 	const struct plane plane = rows_of(&task->across, from, to);
 
-	for (int turn = 0; turn < grid->dimensions; turn++) {
+	for (int turn = task->along; turn < (task->along ? grid->dimensions : 1); turn++) {
 		int c = (task->d + turn) % grid->dimensions;
 
 		if (grid->periodic[task->d]) {
@@ -395,7 +395,9 @@ bool ts_fluid_leans_on_images(const struct ts_fluid *fluid, int d)
 }
 
 /* Axis by axis, each including the ghosts of the axes before it, so that edges and corners are set as
- * well. */
+ * well. Of each component first the ghosts across its faces, so that edges do not depend on the order of the axes: the sign
+ * of these velocities determines the ghosts of the others on open faces, and what is given on an inlet is what a wall beside
+ * it mirrors. */
 static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool keep)
 {
 	const int components = fluid->grid.dimensions;
@@ -404,11 +406,19 @@ static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool
 
 	for (int d = 0; d < components; d++)
 		first |= ts_fluid_leans_on_images(fluid, d);
-	for (task.d = 1; first && task.d < components; task.d++)
-		if (fluid->grid.periodic[task.d])
-			fill_rows_in_parallel(fluid, task.d, components, velocity_rows, &task, &task.across);
-	for (task.d = 0; task.d < components; task.d++)
-		fill_rows_in_parallel(fluid, task.d, 2 * components, velocity_rows, &task, &task.across);
+	for (int part = 0; part < 2 && first; part++) {
+		task.along = part > 0;
+		for (task.d = 1; task.d < components; task.d++)
+			if (fluid->grid.periodic[task.d])
+				fill_rows_in_parallel(fluid, task.d, components, velocity_rows, &task,
+						      &task.across);
+	}
+	for (int part = 0; part < 2; part++) {
+		task.along = part > 0;
+		for (task.d = 0; task.d < components; task.d++)
+			fill_rows_in_parallel(fluid, task.d, part ? 2 * components - 2 : 2, velocity_rows,
+					      &task, &task.across);
+	}
 }
 
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])

@@ -301,9 +301,8 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 	e->formulas->reads_all |= !(keyword->flags & ALONE);
 	e->formulas->reads_fluid |= keyword->flags & TS_KEYWORD_FIELDS;
 	status = e->sim->reading.unreached ? TS_OK : ts_keyword_check(e->sim, keyword, NULL);
-	e->formulas->misfit |= status != TS_OK;
-	if (status != TS_OK)
-		return ts_expr_locate_error(e, status, at, e->at);
+	if (status != TS_OK) /* in a dry run like an output that does not exist yet */
+		return ts_expr_locate_error(e, e->sim->reading.dry ? TS_UNKNOWN : status, at, e->at);
 	if (e->sim->reading.dry)
 		return set_unknown(out);
 	if (!(keyword->flags & (ALONE | TS_KEYWORD_SUM)) ||

@@ -14,7 +14,7 @@ struct ts_formulas {
 	uint64_t evaluated;	  /* formulas evaluated within it */
 	struct ts_variable *kept; /* variables whose columns or lists are cached within it */
 	uint64_t drawn; /* evaluations of functions that change from call to call: random(), next() */
-	bool misfit;	/* a formula has named an output without the shape needed there, or a keyword that has no value */
+	bool misfit;	/* a formula has named an output without the shape needed there */
 	/* What depends on all particles, or on a clock or random numbers, has been read: several ranks, each with particles of
 	 * its own, would not read the same. */
 	bool reads_all;

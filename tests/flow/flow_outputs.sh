@@ -225,4 +225,39 @@ END
 report 'writes files' $? out
 "$python" compare.py >out 2>&1
 report 'VTK reads them, and finds what computes give' $? out
+
+# Forces on a wall beside an inlet whose velocity is not that of the wall: no axis is special, at both ends.
+cat >in.edge <<'END'
+units si
+boundary f f f
+region box block 0 $(1+v_xx) 0 $(1+v_yy) 0 $(1+v_zz) units box
+create_box 1 box
+flow_style projection cells $(8+8*v_xx) $(8+8*v_yy) $(8+8*v_zz) viscosity 0.5 density 1.385 time rk2
+variable all index xlo xhi ylo yhi zlo zhi
+label all
+flow_boundary ${all} slip
+next all
+jump SELF all
+flow_boundary ${inlet} inlet velocity $(v_s*v_xx/2) $(v_s*v_yy/2) $(v_s*v_zz/2)
+flow_boundary ${outlet} outlet
+flow_boundary ${wall} wall velocity $(v_s*v_xx/10) $(v_s*v_yy/10) $(v_s*v_zz/10)
+compute f all flow/force ${wall}
+timestep 5e-3
+run 20
+print "force $(v_s*(v_xx*c_f[1]+v_yy*c_f[2]+v_zz*c_f[3]):%.9g)"
+END
+rm -f forces
+while read -r s xx yy zz inlet outlet wall; do
+	"$TSIM" -in in.edge -log none -var s "$s" -var xx "$xx" -var yy "$yy" -var zz "$zz" -var inlet "$inlet" \
+		-var outlet "$outlet" -var wall "$wall" 2>&1 </dev/null | grep '^force' >>forces
+done <<'END'
+1 1 0 0 xlo xhi zlo
+-1 1 0 0 xhi xlo yhi
+1 0 1 0 ylo yhi xlo
+1 0 1 0 ylo yhi zhi
+1 0 0 1 zlo zhi xlo
+-1 0 0 1 zhi zlo ylo
+END
+[ "$(wc -l <forces)" = 6 ] && [ "$(sort -u forces | wc -l)" = 1 ]
+report 'a wall beside an inlet, along each axis' $? forces
 finish

@@ -512,6 +512,29 @@ for every in 'insert_every 100' 'insert_every 100 extrude_length 0.2'; do
 	refused "$every" "$text" -in in.short
 done
 
+# Keywords of a fluid that is not there, in columns, variables, texts and commands of a run; a body force that was deleted.
+box='units si
+region b block 0 1 0 1 0 1
+create_box 1 b
+timestep 1e-4'
+fluid='flow_style projection cells 4 4 4 viscosity 1 density 1'
+n=0
+while IFS='|' read -r lines text; do
+	n=$((n + 1))
+	printf '%s\n%b\n' "$box" "$lines" >in.$n
+	refused "-check: $lines" "$text" -check -in in.$n
+	refused "$lines" "$text" -in in.$n
+done <<'END'
+thermo_style custom step flow_ke\nrun 2|keyword flow_ke needs a fluid
+variable e equal 2*flow_ke\nfix a all ave/time 1 1 1 v_e\nrun 2|keyword flow_ke needs a fluid
+fix p all print 1 "$(flow_px)"\nrun 2|keyword flow_px needs a fluid
+run 2 every 1 "print '$(flow_cfl)'"|keyword flow_cfl needs a fluid
+variable g equal 1\nflow_style projection cells 4 4 4 viscosity 1 density 1 body_force v_g 0 0\nvariable g delete\nrun 2|unknown variable 'g'
+END
+printf '%s\nvariable e equal 2*flow_ke\nfix p all print 1 "$(v_e)"\nif "1 < 0" then "print $(flow_ke)"\n%s\nrun 1\n' "$box" "$fluid" >in.later
+"$TSIM" -check -in in.later >out 2>&1 && "$TSIM" -in in.later -log none >out 2>&1
+report 'a fluid that is defined after them' $? out
+
 for deck in drilling; do
 	cp "$top_srcdir"/examples/$deck/in.* .
 	"$TSIM" -check -in in.$deck >out 2>err
