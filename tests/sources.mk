@@ -357,6 +357,7 @@ unit_tests = \
 	tests/rank/check_blocks \
 	tests/rank/check_loads \
 	tests/rank/check_waiting \
+	tests/region/check_depth \
 	tests/render/check_render \
 	tests/report/check_rows \
 	tests/restart/check_sieve \
@@ -761,6 +762,10 @@ tests_rank_check_loads_LDADD = $(tests_ldadd)
 tests_rank_check_waiting_SOURCES = tests/rank/check_waiting.c
 tests_rank_check_waiting_CFLAGS = $(tests_cflags)
 tests_rank_check_waiting_LDADD = $(tests_ldadd)
+
+tests_region_check_depth_SOURCES = tests/region/check_depth.c
+tests_region_check_depth_CFLAGS = $(tests_cflags)
+tests_region_check_depth_LDADD = $(tests_ldadd)
 
 tests_render_check_render_SOURCES = tests/render/check_render.c
 tests_render_check_render_CFLAGS = $(tests_cflags)

@@ -14,7 +14,6 @@
 #include "immersed/immersed.h"
 #include "immersed/immersed_spheres.h"
 #include "math/vec3.h"
-#include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
 #include "particle/particles.h"
 #include "region/region.h"
@@ -121,17 +120,12 @@ static enum ts_status make_mesh(struct ts_instance *self, struct tsim *sim, int 
 	struct state *s = self->state;
 	struct ts_word id = { .text = s->mesh, .place = *ts_instance_word(self, s->mesh) };
 	struct ts_mesh_surface *surface;
-	size_t t;
+	bool inwards;
 
 	TS_TRY(ts_mesh_surface_require(sim, &id, &surface));
-	if (!ts_mesh_closed(&surface->mesh, &t))
-		return ts_fail(&sim->error, TS_STATE, &id.place,
-			       "fix immersed/boundary: mesh %s is not closed: triangle %zu, about (%g, %g, "
-			       "%g), has an edge that it does not share with exactly one other",
-			       s->mesh, t + 1, surface->mesh.centre[t][0], surface->mesh.centre[t][1],
-			       surface->mesh.centre[t][2]);
+	TS_TRY(ts_solid_check_mesh(sim, &id, &surface->mesh, &inwards));
 	s->surface = surface;
-	s->solid = ts_solid_of_mesh(surface, dimensions, &s->prescribed);
+	s->solid = ts_solid_of_mesh(surface, inwards, dimensions, &s->prescribed);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
 
@@ -661,7 +655,7 @@ static const struct ts_arg region_args[] = {
 };
 static const struct ts_arg mesh_args[] = {
 	TS_WORD("mesh", struct state, mesh, .flags = TS_POSITIONAL,
-		.help = "ID of the fix mesh/surface or its kin; a closed surface, normals outwards"),
+		.help = "ID of the fix mesh/surface or its kin; a closed surface"),
 	GIVEN_ROWS,
 	RELAX,
 	ITERATIONS,

@@ -8,6 +8,7 @@
 #include "core/sim.h"
 #include "grid/grid.h"
 
+struct ts_mesh;
 struct ts_mesh_surface;
 struct ts_voxel_surface;
 
@@ -84,7 +85,10 @@ struct ts_solid_pose {
 struct ts_solid *ts_solid_of_region(struct ts_instance *region, int dimensions,
 				    const struct ts_solid_prescribed *prescribed,
 				    struct ts_solid_pose *before);
-struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, int dimensions,
+/* Refuses a mesh that is not closed. *inwards: its normals point inwards. */
+enum ts_status ts_solid_check_mesh(struct tsim *sim, const struct ts_word *id, const struct ts_mesh *mesh,
+				   bool *inwards);
+struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, bool inwards, int dimensions,
 				  const struct ts_solid_prescribed *prescribed);
 struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, const struct ts_grid *grid,
 				    int dimensions, const struct ts_solid_prescribed *prescribed);

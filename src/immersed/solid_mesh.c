@@ -7,6 +7,7 @@
 #include "math/vec3.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
+#include "mesh/mesh_volume.h"
 
 #include "base/banned.h"
 
@@ -17,6 +18,7 @@ struct closed {
 	struct ts_mesh_list *near; /* work memory of each worker; owned */
 	size_t workers;
 	const struct ts_solid_prescribed *prescribed;
+	double outward; /* 1; -1: the normals of the triangles point inwards */
 	uint64_t moves; /* counter of moves of the surface when the tree was built */
 	double lo[3], hi[3];
 };
@@ -126,8 +128,8 @@ static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t
 	*side = near ? TS_SOLID_NEAR : TS_SOLID_FAR;
 	if (!near)
 		return TS_OK;
-	surface_point->distance = d.distance;
-	memcpy(surface_point->n, d.n, sizeof d.n);
+	surface_point->distance = s->outward * d.distance;
+	ts_scale(s->outward, d.n, surface_point->n);
 	ts_solid_rigid_velocity(solid->motion, x, surface_point);
 	if (surface_point->distance > 0 && s->surface->v && !s->prescribed->velocity && !s->prescribed->omega)
 		ts_mesh_surface_velocity(s->surface, (size_t)d.triangle, d.weight, surface_point->v);
@@ -152,7 +154,27 @@ static void release(struct ts_solid *solid)
 
 static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, release, team };
 
-struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimensions,
+enum ts_status ts_solid_check_mesh(struct tsim *sim, const struct ts_word *id, const struct ts_mesh *mesh,
+				   bool *inwards)
+{
+	struct ts_mesh_volume volume;
+	size_t t;
+
+	if (!ts_mesh_closed(mesh, &t))
+		return ts_fail(&sim->error, TS_STATE, &id->place,
+			       "fix immersed/boundary: mesh %s is not closed: triangle %zu, about (%g, %g, "
+			       "%g), has an edge that it does not share with exactly one other",
+			       id->text, t + 1, mesh->centre[t][0], mesh->centre[t][1], mesh->centre[t][2]);
+	if (!ts_mesh_measure_volume(mesh, &volume))
+		return ts_fail(&sim->error, TS_STATE, &id->place,
+			       "fix immersed/boundary: mesh %s encloses no volume: the normals of some "
+			       "triangles point inwards, those of others outwards",
+			       id->text);
+	*inwards = volume.volume < 0;
+	return TS_OK;
+}
+
+struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, bool inwards, int dimensions,
 				  const struct ts_solid_prescribed *prescribed)
 {
 	struct closed *s = ts_alloc(1, sizeof *s);
@@ -161,6 +183,7 @@ struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimension
 		return NULL;
 	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
 	s->surface = surface;
+	s->outward = inwards ? -1 : 1;
 	s->prescribed = prescribed;
 	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK && team(&s->solid, 1) == TS_OK)
 		return &s->solid;

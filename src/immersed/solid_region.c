@@ -128,9 +128,9 @@ static void normal(const struct region *s, const double x[3], double reach, doub
 
 		a[k] -= step;
 		b[k] += step;
-		n[k] = k < s->solid.dimensions
-			       ? ts_region_depth(s->instance, a) - ts_region_depth(s->instance, b)
-			       : 0;
+		n[k] = k < s->solid.dimensions ? ts_region_depth_at_edges(s->instance, a) -
+							 ts_region_depth_at_edges(s->instance, b)
+					       : 0;
 	}
 	length = ts_norm(n);
 	if (!(length > 0)) { /* the distance has no gradient there, deep inside */
@@ -148,7 +148,7 @@ static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t
 
 	(void)worker;
 	(void)part;
-	surface_point->distance = -ts_region_depth(s->instance, x);
+	surface_point->distance = -ts_region_depth_at_edges(s->instance, x);
 	*side = fabs(surface_point->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
 	if (*side == TS_SOLID_FAR)
 		return TS_OK;
@@ -160,7 +160,7 @@ static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t
 static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
 {
 	(void)part;
-	return ts_region_depth(((const struct region *)solid)->instance, x) > 0;
+	return ts_region_depth_at_edges(((const struct region *)solid)->instance, x) > 0;
 }
 
 static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, NULL, NULL };

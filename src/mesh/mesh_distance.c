@@ -123,7 +123,7 @@ bool ts_mesh_inside(const struct ts_mesh *mesh, const double x[3])
 								ts_dot(r[1], r[2]) * l[0] +
 								ts_dot(r[2], r[0]) * l[1]);
 	}
-	return angle > 2 * TS_PI; /* half of 4 pi */
+	return fabs(angle) > 2 * TS_PI; /* half of 4 pi; < 0 with normals inwards */
 }
 
 bool ts_mesh_closed(const struct ts_mesh *mesh, size_t *t)

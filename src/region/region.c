@@ -79,19 +79,32 @@ bool ts_region_contains(const struct ts_instance *region, const double x[3])
 	return style_of(region)->contains(region, x) != (r->side == 1);
 }
 
-double ts_region_depth(const struct ts_instance *region, const double x[3])
+typedef double depth_fn(const struct ts_instance *self, const double x[3]);
+
+static double depth_by(depth_fn *depth, const struct ts_instance *region, const double x[3])
 {
 	const struct ts_region *r = region->state;
-	double y[3], depth;
+	double y[3];
 
-	if (!style_of(region)->depth)
+	if (!depth)
 		return NAN;
 	if (r->moves) {
 		to_shape_frame(r, x, y);
 		x = y;
 	}
-	depth = style_of(region)->depth(region, x);
-	return r->side == 1 ? -depth : depth;
+	return r->side == 1 ? -depth(region, x) : depth(region, x);
+}
+
+double ts_region_depth(const struct ts_instance *region, const double x[3])
+{
+	return depth_by(style_of(region)->depth, region, x);
+}
+
+double ts_region_depth_at_edges(const struct ts_instance *region, const double x[3])
+{
+	const struct ts_region_style *style = style_of(region);
+
+	return depth_by(style->depth_at_edges ? style->depth_at_edges : style->depth, region, x);
 }
 
 double ts_region_radial(const struct ts_instance *region, const double x[3])

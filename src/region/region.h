@@ -75,6 +75,8 @@ struct ts_region_style {
 	/* Depth of x in the shape: distance from its surface, < 0 outside, or a bound that is closer to
 	 * 0. NULL: not supported. */
 	double (*depth)(const struct ts_instance *self, const double x[3]);
+	/* The same, which also outside of edges where faces of members meet is the distance, not a bound. NULL: `depth` is that. */
+	double (*depth_at_edges)(const struct ts_instance *self, const double x[3]);
 	/* Distance from the centre or axis divided by the radius. NULL: the shape has no radius. */
 	double (*radial)(const struct ts_instance *self, const double x[3]);
 	int faces; /* number of faces that can be open */
@@ -98,6 +100,8 @@ void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[
 /* Depth of x in the region: distance from its surface or a lower bound of it, < 0 outside; NaN: not
  * implemented. */
 double ts_region_depth(const struct ts_instance *region, const double x[3]);
+/* The same, of an intersection outside of its edges, too, the distance from its surface, if its members are convex there. */
+double ts_region_depth_at_edges(const struct ts_instance *region, const double x[3]);
 /* Distance of x from the centre or axis of a round region, divided by its radius; NaN: it has no radius. */
 double ts_region_radial(const struct ts_instance *region, const double x[3]);
 /* Volume: NaN if not supported, infinite with side out. */

@@ -56,16 +56,22 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return along >= 0 && along <= 1 && a * a + b * b <= radius * radius;
 }
 
-/* Smallest distance to the sides of the convex cross section in the half-plane through the axis. */
+/* Inside the smallest distance to the sides of the convex cross section in the half-plane through the axis. */
 static double depth(const struct ts_instance *self, const double x[3])
 {
 	const struct cone *z = self->state;
-	double a = x[z->c[0]] - z->center[0], b = x[z->c[1]] - z->center[1];
+	struct ts_frustum shape = { z->lo, z->hi, { z->radius[0], z->radius[1] } };
+	struct ts_frustum_contact_point nearest;
+	double a = x[z->c[0]] - z->center[0], b = x[z->c[1]] - z->center[1], r = sqrt(a * a + b * b);
 	double length = z->hi - z->lo, widening = z->radius[1] - z->radius[0];
 	double along = fmin(x[z->axis] - z->lo, z->hi - x[z->axis]);
-	double in = z->radius[0] + (x[z->axis] - z->lo) / length * widening - sqrt(a * a + b * b);
+	double in = z->radius[0] + (x[z->axis] - z->lo) / length * widening - r;
+	double least = fmin(along, in * length / sqrt(length * length + widening * widening));
 
-	return fmin(along, in * length / sqrt(length * length + widening * widening));
+	if (least >= 0)
+		return least;
+	ts_frustum_nearest(&shape, 0, r, x[z->axis], &nearest);
+	return -hypot(r - nearest.r, x[z->axis] - nearest.s);
 }
 
 static int contact_points(const struct ts_instance *self, const double x[3], bool inside,

@@ -37,32 +37,76 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* a, b, c: coordinates along the edges, 0 to 1 inside. */
-static bool contains(const struct ts_instance *self, const double x[3])
+/* Coordinates along the edges, 0 to 1 inside. */
+static void coordinates(const struct prism *p, const double x[3], double a[3])
 {
-	const struct prism *p = self->state;
-	double c = (x[2] - p->lo[2]) / (p->hi[2] - p->lo[2]);
-	double b = (x[1] - p->lo[1] - c * p->yz) / (p->hi[1] - p->lo[1]);
-	double a = (x[0] - p->lo[0] - c * p->xz - b * p->xy) / (p->hi[0] - p->lo[0]);
-
-	return a >= 0 && a <= 1 && b >= 0 && b <= 1 && c >= 0 && c <= 1;
+	a[2] = (x[2] - p->lo[2]) / (p->hi[2] - p->lo[2]);
+	a[1] = (x[1] - p->lo[1] - a[2] * p->yz) / (p->hi[1] - p->lo[1]);
+	a[0] = (x[0] - p->lo[0] - a[2] * p->xz - a[1] * p->xy) / (p->hi[0] - p->lo[0]);
 }
 
-/* Smallest distance to the planes of the six faces: the gradients of the coordinates a, b, c along the
- * edges are normal to these. */
-static double depth(const struct ts_instance *self, const double x[3])
+static bool contains(const struct ts_instance *self, const double x[3])
 {
-	const struct prism *p = self->state;
+	double a[3];
+
+	coordinates(self->state, x, a);
+	return a[0] >= 0 && a[0] <= 1 && a[1] >= 0 && a[1] <= 1 && a[2] >= 0 && a[2] <= 1;
+}
+
+/* Smallest distance to the planes of the six faces: the gradients of the coordinates are normal to these. */
+static double distance_to_planes(const struct prism *p, const double a[3])
+{
 	double l[3] = { p->hi[0] - p->lo[0], p->hi[1] - p->lo[1], p->hi[2] - p->lo[2] };
-	double c = (x[2] - p->lo[2]) / l[2];
-	double b = (x[1] - p->lo[1] - c * p->yz) / l[1];
-	double a = (x[0] - p->lo[0] - c * p->xz - b * p->xy) / l[0];
 	double across[3] = { 1, -p->xy / l[1], (p->xy * p->yz / l[1] - p->xz) / l[2] };
 	double tilt = p->yz / l[2];
 
-	return fmin(fmin(fmin(a, 1 - a) * l[0] / ts_norm(across),
-			 fmin(b, 1 - b) * l[1] / sqrt(1 + tilt * tilt)),
-		    fmin(c, 1 - c) * l[2]);
+	return fmin(fmin(fmin(a[0], 1 - a[0]) * l[0] / ts_norm(across),
+			 fmin(a[1], 1 - a[1]) * l[1] / sqrt(1 + tilt * tilt)),
+		    fmin(a[2], 1 - a[2]) * l[2]);
+}
+
+/* Distance of r, relative to a corner, from the parallelogram with the edges u and v at that corner: on its plane, or on the
+ * nearest of its edges. */
+static double distance_from_face(const double u[3], const double v[3], const double r[3])
+{
+	double uu = ts_dot(u, u), uv = ts_dot(u, v), vv = ts_dot(v, v), ru = ts_dot(r, u), rv = ts_dot(r, v);
+	double area2 = uu * vv - uv * uv, best = INFINITY;
+	double a = (ru * vv - rv * uv) / area2, b = (rv * uu - ru * uv) / area2;
+	bool within = a >= 0 && a <= 1 && b >= 0 && b <= 1;
+
+	for (int k = 0; k < (within ? 1 : 4); k++) {
+		double y[3];
+
+		if (!within) { /* along an edge of u, or of v */
+			a = k < 2 ? fmax(0, fmin(1, (ru - k * uv) / uu)) : k - 2;
+			b = k < 2 ? k : fmax(0, fmin(1, (rv - (k - 2) * uv) / vv));
+		}
+		for (int d = 0; d < 3; d++)
+			y[d] = r[d] - a * u[d] - b * v[d];
+		best = fmin(best, ts_norm(y));
+	}
+	return best;
+}
+
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct prism *p = self->state;
+	const double edge[3][3] = { { p->hi[0] - p->lo[0], 0, 0 },
+				    { p->xy, p->hi[1] - p->lo[1], 0 },
+				    { p->xz, p->yz, p->hi[2] - p->lo[2] } };
+	double a[3], away = INFINITY;
+
+	coordinates(p, x, a);
+	for (int d = 0; d < 3; d++) { /* of two opposite faces the one towards x, if x is beyond it */
+		double r[3];
+
+		if (a[d] >= 0 && a[d] <= 1)
+			continue;
+		for (int k = 0; k < 3; k++)
+			r[k] = x[k] - p->lo[k] - (a[d] > 1) * edge[d][k];
+		away = fmin(away, distance_from_face(edge[(d + 1) % 3], edge[(d + 2) % 3], r));
+	}
+	return isinf(away) ? distance_to_planes(p, a) : -away;
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])

@@ -2,6 +2,9 @@
 #include "region/region.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
 
 #include "base/banned.h"
 
@@ -78,20 +81,80 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return all;
 }
 
-static double depth(const struct ts_instance *self, const double x[3])
+/* ---- depth */
+
+/* Moves x to the nearest point of the region if it is outside; `step`: of the differences for the normal. */
+static void project_into(const struct ts_instance *region, double step, double x[3])
+{
+	double depth = ts_region_depth_at_edges(region, x), n[3], size;
+
+	if (!(depth < 0))
+		return;
+	for (int d = 0; d < 3; d++) {
+		double here = x[d];
+
+		x[d] = here + step;
+		n[d] = ts_region_depth_at_edges(region, x);
+		x[d] = here - step;
+		n[d] -= ts_region_depth_at_edges(region, x);
+		x[d] = here;
+	}
+	size = ts_norm(n);
+	if (size > 0)
+		ts_axpy(-depth / size, n, x);
+}
+
+/* Distance of a point outside an intersection; `least`: the largest distance from a member. Where faces of several members
+ * meet it is longer: the distance from the nearest point of all, by alternating projections (J. P. Boyle & R. L. Dykstra,
+ * Lect. Notes Stat. 37 (1986) 28), exact for convex members. */
+static double distance_outside(const struct state *s, const double x[3], double least)
+{
+	enum { MOST = 8, SWEEPS = 50 };
+	const double step = 1e-4 * least + 1e-7 * ts_norm(x);
+	double y[3] = { x[0], x[1], x[2] }, correction[MOST][3] = { { 0 } }, moved = INFINITY;
+
+	for (int sweep = 0; s->n <= MOST && sweep < SWEEPS && moved > 1e-6 * least; sweep++) {
+		moved = 0;
+		for (int64_t k = 0; k < s->n; k++) {
+			double z[3], before[3] = { y[0], y[1], y[2] };
+
+			ts_add(y, correction[k], z);
+			memcpy(y, z, sizeof y);
+			project_into(s->member[k], step, y);
+			ts_sub(z, y, correction[k]);
+			moved = fmax(moved, sqrt(ts_distance2(y, before)));
+		}
+	}
+	return fmax(least, sqrt(ts_distance2(x, y)));
+}
+
+static double combine_depths(const struct ts_instance *self, const double x[3],
+			     double (*depth_of)(const struct ts_instance *region, const double x[3]))
 {
 	const struct state *s = self->state;
 	bool all = is_intersection(self);
 	double d = all ? INFINITY : -INFINITY;
 
 	for (int64_t k = 0; k < s->n; k++) {
-		double one = ts_region_depth(s->member[k], x);
+		double one = depth_of(s->member[k], x);
 
 		if (isnan(one))
 			return NAN;
 		d = all ? fmin(d, one) : fmax(d, one);
 	}
 	return d;
+}
+
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	return combine_depths(self, x, ts_region_depth);
+}
+
+static double depth_at_edges(const struct ts_instance *self, const double x[3])
+{
+	double d = combine_depths(self, x, ts_region_depth_at_edges);
+
+	return is_intersection(self) && d < 0 ? -distance_outside(self->state, x, -d) : d;
 }
 
 /* ---- surface: faces of the members */
@@ -184,6 +247,7 @@ const struct ts_region_style ts_region_union = {
 	},
 	.contains = contains,
 	.depth = depth,
+	.depth_at_edges = depth_at_edges,
 	.bounds = bounds,
 	.update = update,
 	.contact_points = contact_points,
@@ -206,6 +270,7 @@ const struct ts_region_style ts_region_intersect = {
 	},
 	.contains = contains,
 	.depth = depth,
+	.depth_at_edges = depth_at_edges,
 	.bounds = bounds,
 	.update = update,
 	.contact_points = contact_points,

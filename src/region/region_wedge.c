@@ -102,17 +102,34 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	       d[0] * d[0] + d[1] * d[1] <= w->radius * w->radius && in_sector(w, d);
 }
 
-/* Smallest distance to the planes and the cylinder that bound the sector; of a reflex sector a lower
- * bound. */
+/* Distance in the plane of the sector from the flat face along the unit vector `along`. */
+static double distance_from_face(const struct wedge *w, const double along[2], const double d[2])
+{
+	double at = fmax(0, fmin(w->radius, along[0] * d[0] + along[1] * d[1]));
+
+	return hypot(d[0] - at * along[0], d[1] - at * along[1]);
+}
+
+/* The same from the edge of the sector, inside > 0. */
+static double depth_in_sector(const struct wedge *w, const double d[2])
+{
+	double r = hypot(d[0], d[1]);
+	double face = fmin(distance_from_face(w, w->start, d), distance_from_face(w, w->end, d));
+
+	if (w->given.angle >= 360)
+		return w->radius - r;
+	if (!in_sector(w, d))
+		return -face;
+	return r > w->radius ? w->radius - r : fmin(face, w->radius - r);
+}
+
 static double depth(const struct ts_instance *self, const double x[3])
 {
 	const struct wedge *w = self->state;
 	double d[2] = { x[w->c[0]] - w->center[0], x[w->c[1]] - w->center[1] };
-	double after = cross_product(w->start, d), before = -cross_product(w->end, d);
-	double sector = w->given.angle <= 180 ? fmin(after, before) : fmax(after, before);
-	double along = fmin(x[w->axis] - w->lo, w->hi - x[w->axis]);
+	double sector = depth_in_sector(w, d), along = fmin(x[w->axis] - w->lo, w->hi - x[w->axis]);
 
-	return fmin(fmin(sector, along), w->radius - sqrt(d[0] * d[0] + d[1] * d[1]));
+	return sector < 0 && along < 0 ? -hypot(sector, along) : fmin(sector, along);
 }
 
 /* Bounds of the center, the ends of the two faces, and the extreme points of the arc between them. */

@@ -196,6 +196,15 @@ for body in 'region sliding velocity 0.4 0 0' 'mesh surface'; do
 	rows out | awk '{ printf "%d %.5f %.5f\n", $1, $2, $3 }' >"rows.${body%% *}"
 done
 same 'a mesh and a region' rows.region rows.mesh
+# normals inwards: the same body; of one triangle only: no body
+awk '/vertex/ { v[n++] = $0; next } /endloop/ { print v[0]; print v[2]; print v[1]; n = 0 } { print }' block.stl >inwards.stl
+awk '/vertex/ && seen < 3 { v[seen++] = $0; if (seen == 3) { print v[0]; print v[2]; print v[1] } next } { print }' block.stl >mixed.stl
+sed 's/block.stl/inwards.stl/' in.block >in.inwards
+"$TSIM" -in in.inwards -log none -var body 'mesh surface' >out 2>&1
+rows out | awk '{ printf "%d %.5f %.5f\n", $1, $2, $3 }' >rows.inwards
+same 'a mesh whose normals point inwards' rows.mesh rows.inwards
+sed 's/block.stl/mixed.stl/' in.block >in.mixed
+refused 'normals inwards and outwards' 'encloses no volume' -in in.mixed -var body 'mesh surface'
 
 # ---- a grain comes to rest on a block that the fluid flows around: seen from outside the region is a wall
 cat >in.wall <<'END2'
