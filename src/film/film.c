@@ -26,7 +26,8 @@ static bool make_axis(struct ts_film *f, int axis)
 
 	return make_field(&f->face[axis], (size_t)f->n[axis] + 1) && make_field(&f->flow[axis], faces) &&
 	       make_field(&f->conductance[axis], faces) && make_field(&f->transport[axis], faces) &&
-	       make_field(&f->ride[axis], faces) && make_field(&f->velocity[0][axis], ts_film_cells(f)) &&
+	       make_field(&f->ride[0][axis], faces) && make_field(&f->ride[1][axis], faces) &&
+	       make_field(&f->velocity[0][axis], ts_film_cells(f)) &&
 	       make_field(&f->velocity[1][axis], ts_film_cells(f));
 }
 
@@ -71,7 +72,8 @@ void ts_film_release(struct ts_film *f)
 		ts_free(f->flow[d]);
 		ts_free(f->conductance[d]);
 		ts_free(f->transport[d]);
-		ts_free(f->ride[d]);
+		ts_free(f->ride[0][d]);
+		ts_free(f->ride[1][d]);
 		ts_free(f->velocity[0][d]);
 		ts_free(f->velocity[1][d]);
 	}

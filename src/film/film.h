@@ -57,6 +57,8 @@ enum ts_film_kind {
 	TS_FILM_SOLID  /* surfaces touch: no fluid, no flow across its faces */
 };
 
+/* Of a face: the cell on the side of lower coordinates, and the other one. */
+enum ts_film_half { TS_FILM_BELOW, TS_FILM_ABOVE };
 enum ts_film_shape { TS_FILM_LINEAR, TS_FILM_STEPPED };
 enum ts_film_cavitation { TS_FILM_NONE, TS_FILM_HALF, TS_FILM_REYNOLDS, TS_FILM_JFO };
 
@@ -136,8 +138,9 @@ struct ts_film {
 
 	/* internal */
 	double *conductance[2], *transport[2]; /* of faces: flow = conductance dp + transport (1 - theta) */
-	double *ride
-		[2]; /* of faces: flow per width in the cell below, less that through the face: a moving step takes up the rest */
+	/* ride[TS_FILM_BELOW][axis], of faces: flow per width in the cell below, less that through the face, as a moving step
+	 * takes up the rest; TS_FILM_ABOVE: in the cell above */
+	double *ride[2][2];
 	double *source; /* volume per time that the motion of the surfaces takes up */
 	double *value, *residual, *step;
 	double scale[2]; /* jfo: sums of |transport| and of the conductances */

@@ -252,18 +252,28 @@ static double rise_to_face(const struct ts_film *f, int axis, int i, int j, cons
 	return from_high ? low * (z[s.low] - z[s.high]) : (1 - low) * (z[s.high] - z[s.low]);
 }
 
+/* Adds to the ride on the k-th face along the axis; the first and the last one of a periodic axis are the same. */
+static void add_ride(struct ts_film *f, enum ts_film_half half, int axis, int i, int j, double flow)
+{
+	const int n = f->n[axis], k = axis == 0 ? i : j, other = n - k;
+
+	f->ride[half][axis][ts_film_face(f, axis, i, j)] += flow;
+	if (f->edge[axis][0] == TS_FILM_PERIODIC && k % n == 0)
+		f->ride[half][axis][ts_film_face(f, axis, axis == 0 ? other : i, axis == 1 ? other : j)] +=
+			flow;
+}
+
 static void carry_cell(struct ts_film *f, int axis, int i, int j, const double *z, double velocity,
 		       double *rate)
 {
-	int k = axis == 0 ? i : j;
+	int k = axis == 0 ? i : j, up[2] = { i + (axis == 0), j + (axis == 1) };
 	double width = f->face[axis][k + 1] - f->face[axis][k];
-	double above = rise_to_face(f, axis, i + (axis == 0), j + (axis == 1), z, false);
+	double above = rise_to_face(f, axis, up[0], up[1], z, false);
+	double below = rise_to_face(f, axis, i, j, z, true);
 
-	rate[ts_film_at(f, i, j)] -= velocity * (above - rise_to_face(f, axis, i, j, z, true)) / width;
-	f->ride[axis][ts_film_face(f, axis, i + (axis == 0), j + (axis == 1))] -= velocity * above;
-	if (f->edge[axis][0] == TS_FILM_PERIODIC && k == f->n[axis] - 1) /* the same face */
-		f->ride[axis][ts_film_face(f, axis, axis == 0 ? 0 : i, axis == 1 ? 0 : j)] -=
-			velocity * above;
+	rate[ts_film_at(f, i, j)] -= velocity * (above - below) / width;
+	add_ride(f, TS_FILM_BELOW, axis, up[0], up[1], -velocity * above);
+	add_ride(f, TS_FILM_ABOVE, axis, i, j, -velocity * below);
 }
 
 void ts_film_carry(struct ts_film *f, const double *z, const double velocity[2], const double *part,

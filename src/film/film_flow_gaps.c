@@ -68,7 +68,8 @@ void ts_film_combine(struct ts_film_flow *flow)
 	for (int axis = 0; axis < 2; axis++)
 		for (int j = 0; j < f->n[1] + (axis == 1); j++)
 			for (int i = 0; i < f->n[0] + (axis == 0); i++)
-				f->ride[axis][ts_film_face(f, axis, i, j)] = 0;
+				f->ride[0][axis][ts_film_face(f, axis, i, j)] =
+					f->ride[1][axis][ts_film_face(f, axis, i, j)] = 0;
 	for (size_t c = 0; c < ts_film_cells(f); c++) {
 		/* columns that are pressed down change the gap less than they move */
 		f->rate[c] = flow->yield[c] * (upper->rate[c] - lower->rate[c]);

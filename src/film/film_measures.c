@@ -33,14 +33,15 @@ struct segment {
 	double length;
 };
 
-/* Pressure on a face where the gap steps, from the flow in the lower half of the segment. */
-static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s,
-			       double length)
+/* Pressure on a face where the gap steps, from the flow in one half of the segment: in cell c, of index k along the axis.
+ * The pressure falls along the flow: outwards is 1 from the lower half to the face, -1 from the upper one. */
+static double pressure_from_half(const struct ts_film *f, int axis, int i, int j,
+				 const struct ts_film_sides *s, double length, int c, int outwards)
 {
 	size_t at = ts_film_face(f, axis, i, j);
-	int k = axis == 0 ? s->low % f->n[0] : s->low / f->n[0];
-	double h = f->gap[s->low], d = (f->face[axis][k + 1] - f->face[axis][k]) / 2;
-	struct ts_film_section section = ts_film_section(f, axis, h);
+	int k = axis == 0 ? c % f->n[0] : c / f->n[0];
+	double d = (f->face[axis][k + 1] - f->face[axis][k]) / 2;
+	struct ts_film_section section = ts_film_section(f, axis, f->gap[c]);
 	double low = ts_film_reduce(f, f->p[s->low]), high = ts_film_reduce(f, f->p[s->high]);
 	double u[2], full, share = 1;
 
@@ -51,9 +52,19 @@ static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, 
 			f->transport[axis][at];
 	if (f->polar && axis == 1)
 		d *= ts_film_centre(f, 0, i);
-	low -= 12 * f->viscosity * d / section.poiseuille *
-	       (f->flow[axis][at] / length + f->ride[axis][at] - share * full);
-	return ts_film_expand(f, low);
+	return (c == s->low ? low : high) -
+	       outwards * 12 * f->viscosity * d / section.poiseuille *
+		       (f->flow[axis][at] / length +
+			f->ride[c == s->low ? TS_FILM_BELOW : TS_FILM_ABOVE][axis][at] - share * full);
+}
+
+/* With least_gap the flow is not that of the gap, and the halves differ: their mean does not depend on the direction of the
+ * axis. */
+static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s,
+			       double length)
+{
+	return ts_film_expand(f, 0.5 * (pressure_from_half(f, axis, i, j, s, length, s->low, 1) +
+					pressure_from_half(f, axis, i, j, s, length, s->high, -1)));
 }
 
 static struct segment segment_of(const struct ts_film *f, int axis, int i, int j,

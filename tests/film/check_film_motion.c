@@ -190,6 +190,39 @@ START_TEST(blocks_that_close_the_gap)
 }
 END_TEST
 
+/* A wavy pad that slides, where it touches the other surface the gap is that of its roughness: the mirror image has the mirror
+ * image of all forces, to round-off. */
+START_TEST(mirror_images)
+{
+	struct tsim *sim[2];
+
+	for (int k = 0; k < 2; k++)
+		sim[k] = deck_open("units si\nboundary p p f\nregion box block -0.5 0.5 0 0.5 -0.5 1 units "
+				   "box\n"
+				   "create_box 1 box\nvariable cx internal 0\nvariable s equal %d\n"
+				   "variable h equal 0.05*sin(2*PI*v_s*v_cx)+0.02*cos(4*PI*v_s*v_cx+1)\n"
+				   "fix pad all surface/voxel formula v_h x cx type 1 cells 24 4 move linear "
+				   "$(0.1*v_s) 0 0\n"
+				   "flow_style reynolds cells 24 4 lower_voxel pad upper 0.05 viscosity 2 "
+				   "density 1000 "
+				   "gap stepped least_gap 0.01 open xlo xhi\n"
+				   "compute film all film\ntimestep 1e-3\nrun 0\n",
+				   1 - 2 * k);
+	for (int side = 8; side <= 12; side += 2) {
+		double force[2];
+		char name[40];
+
+		snprintf(name, sizeof name, "c_film[%d]", side);
+		for (int k = 0; k < 2; k++)
+			force[k] = deck_value(sim[k], name);
+		DECK_NEAR(force[0], -force[1], 1e-12 * fabs(force[0]));
+	}
+	DECK_NEAR(deck_value(sim[0], "c_film[1]"), deck_value(sim[1], "c_film[1]"), 1e-10);
+	tsim_close(sim[0]);
+	tsim_close(sim[1]);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("film_motion");
@@ -200,6 +233,7 @@ int main(void)
 	tcase_add_test(tcase, steps_that_move);
 	tcase_add_test(tcase, two_height_fields);
 	tcase_add_test(tcase, blocks_that_close_the_gap);
+	tcase_add_test(tcase, mirror_images);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
 }
