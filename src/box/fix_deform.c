@@ -42,6 +42,10 @@ struct state {
 	double origin;		/* time when the fix was defined */
 	double made_lo[3], made_hi[3], begin_lo[3], begin_hi[3];
 	double made_slide; /* displacement of sheared images when the fix was defined */
+
+	/* the box as this fix has seen or made it last */
+	bool seen;
+	struct ts_box last;
 };
 
 static const char names[] = "xyz";
@@ -391,6 +395,17 @@ static bool any_ramp(const struct state *s)
 	return has;
 }
 
+/* Whether a command has changed the length of an axis that the fix changes. */
+static bool box_has_changed(const struct state *s, const struct ts_box *box)
+{
+	bool has = false;
+
+	for (int k = 0; k < 3 && s->seen; k++)
+		has |= s->side[k].mode != NONE &&
+		       !(box->lo[k] == s->last.lo[k] && box->hi[k] == s->last.hi[k]);
+	return has;
+}
+
 /* Stores the box when the fix was defined and, for modes that refer to it, when this run began. */
 static void store_reference_box(struct state *s, const struct tsim *sim)
 {
@@ -398,6 +413,10 @@ static void store_reference_box(struct state *s, const struct tsim *sim)
 	bool begins = sim->clock.step == sim->clock.ramp_first;
 	bool unseen = !s->started || s->begin != sim->clock.ramp_first;
 
+	if (box_has_changed(s, box)) /* begins anew */
+		s->started = 0;
+	s->last = *box;
+	s->seen = true;
 	for (int k = 0; k < 3; k++) {
 		if (!s->started) {
 			s->made_lo[k] = box->lo[k];
@@ -459,7 +478,7 @@ static enum ts_status slide_images(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status deform_box(struct ts_instance *self, struct tsim *sim)
 {
-	const struct state *s = self->state;
+	struct state *s = self->state;
 	struct ts_box *box = &sim->domain->box;
 	struct span span[3];
 
@@ -472,6 +491,7 @@ static enum ts_status deform_box(struct ts_instance *self, struct tsim *sim)
 		box->lo[k] = span[k].lo;
 		box->hi[k] = span[k].hi;
 	}
+	s->last = *box;
 	set_image_velocities(self, sim, span);
 	return TS_OK;
 }
@@ -608,7 +628,8 @@ const struct ts_style ts_fix_deform = {
 	       "start S stop E` to treat several runs as one). For all other styles the time t and the "
 	       "initial length L0 are counted from the definition of the fix, over any number of runs. The "
 	       "centre of the box is kept, except with `final` and `delta`. One or two dimensions with "
-	       "`volume` change so that the volume is that when the fix was defined.\n\n"
+	       "`volume` change so that the volume is that when the fix was defined. Where a command between two runs "
+	       "has changed the box along one of these axes (change_box, replicate), the fix begins anew with it.\n\n"
 	       "With `remap x` the positions of the particles of the group are mapped affinely with the box, "
 	       "and velocities do not change. With `remap v` positions are not mapped, and the velocity of a "
 	       "particle of the group that crosses a periodic face changes by the rate of that box length; "

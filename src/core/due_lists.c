@@ -169,10 +169,24 @@ static bool can_be_named(const struct tsim *sim)
 	return false;
 }
 
+/* Whether a fix maps positions at the end of a step: sums over contacts that were kept with the forces are those of other
+ * positions. */
+static bool moves_after_forces(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->moves_by_time && fixes->item[k]->style->hook[TS_STAGE_END_OF_STEP])
+			return true;
+	return false;
+}
+
 bool ts_due_lists_named(const struct ts_plan *plan, const struct tsim *sim)
 {
 	struct search search = { .sim = sim };
 
+	if (moves_after_forces(sim))
+		return true;
 	if (!can_be_named(sim))
 		return false;
 	if ((sim->recorder && sim->recorder->records(sim->recorder)) ||

@@ -123,6 +123,13 @@ static bool has_no_effect_on_forces(const struct ts_instance *inst)
 	return true;
 }
 
+void ts_fingerprint_forget(struct tsim *sim, const struct ts_instance *gone)
+{
+	for (int stage = TS_STAGE_PRE_FORCE; stage <= TS_STAGE_POST_FORCE; stage++)
+		if (gone->style->kind == TS_KIND_FIX && gone->style->hook[stage])
+			sim->run.fingerprint = 0;
+}
+
 /* What an instance adds: one that acts in no step, but that others read, such as a material, adds to a sum, under whatever
  * name and in any place of the script. */
 static enum ts_status hash_effect(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash,

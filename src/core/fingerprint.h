@@ -15,6 +15,9 @@ enum ts_status ts_fingerprint_differs(struct tsim *sim, uint64_t before, bool *d
  * particles, and is compared with one that is made so, too. Others have the highest bit. */
 bool ts_fingerprint_in_order(const struct tsim *sim);
 uint64_t ts_fingerprint_of_old(uint64_t fingerprint);
+/* Where an instance that exerts forces is deleted: one like it may follow, which has not had the contacts of this one, so that
+ * its forces are to be computed. */
+void ts_fingerprint_forget(struct tsim *sim, const struct ts_instance *gone);
 /* At the end of a run: sim->run.fingerprint becomes that of its state. */
 enum ts_status ts_fingerprint_renew(struct tsim *sim);
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "core/fingerprint.h"
 #include "core/ranks.h"
 #include "core/ranks_pause.h"
 #include "core/settings.h"
@@ -188,7 +189,7 @@ static enum ts_status init_new_instance(struct tsim *sim, struct ts_instance *in
 	enum ts_kind kind = inst->style->kind;
 
 	sim->columns |= inst->style->columns;
-	inst->serial = ++sim->instances_made;
+	inst->serial = sim->defining = ++sim->instances_made;
 	inst->removals = sim->removals;
 	for (size_t k = 0; k < systems->n; k++)
 		if (systems->item[k]->style->init)
@@ -246,11 +247,13 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 		status = ts_args_outputs(sim, what, style->args, inst->state, args, where);
 	if (status == TS_OK)
 		status = init_new_instance(sim, inst, args);
+	sim->defining = 0;
 	if (status != TS_OK) {
 		instance_free(inst);
 		return status;
 	}
 	if (at < list->n) {
+		ts_fingerprint_forget(sim, list->item[at]);
 		ts_ranks_forget(sim, list->item[at]);
 		instance_free(list->item[at]);
 		sim->removals++;
@@ -287,6 +290,7 @@ static enum ts_status remove_from_list(struct tsim *sim, enum ts_kind kind, cons
 	TS_TRY(ts_sim_require(sim, kind, id, out));
 	if (!is_without_rows(sim, (*out)->style))
 		TS_TRY(ts_ranks_unite(sim));
+	ts_fingerprint_forget(sim, *out);
 	ts_ranks_forget(sim, *out);
 	while (list->item[at] != *out)
 		at++;

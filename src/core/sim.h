@@ -230,6 +230,7 @@ struct tsim {
 		instances[TS_NKIND]; /* systems, pair, bond, flow, pressure, automaton: at most one live */
 	struct ts_instances retired; /* deleted regions to which live styles may still point */
 	uint64_t instances_made;
+	uint64_t defining; /* serial number of the instance that is being defined; 0: none */
 	uint64_t removals; /* of instances so far: a pointer stored before the last one is looked up anew */
 	struct ts_instance
 		*outside; /* hooks of the program around the library, called last in their stages */

@@ -159,6 +159,15 @@ enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, st
 	return status;
 }
 
+enum ts_status ts_unclaimed_apply_earlier(struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		TS_TRY(ts_unclaimed_apply(sim, fixes->item[k], fixes->item[k]->words));
+	return TS_OK;
+}
+
 bool ts_unclaimed_is_model(enum ts_kind kind)
 {
 	return kind == TS_KIND_PAIR || kind == TS_KIND_BOND || kind == TS_KIND_FLOW;

@@ -13,6 +13,9 @@ enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char 
  * refused. */
 enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, struct ts_words args);
 
+/* The same for fixes that were defined before the file was read. */
+enum ts_status ts_unclaimed_apply_earlier(struct tsim *sim);
+
 /* Whether there is state for this instance; then its init must not set initial values. */
 bool ts_unclaimed_exists(const struct tsim *sim, const struct ts_instance *inst);
 

@@ -7,6 +7,7 @@
 #include "group/chosen.h"
 #include "math/rng.h"
 #include "particle/columns.h"
+#include "rigid/rigid.h"
 
 #include "base/banned.h"
 
@@ -67,6 +68,13 @@ static enum ts_status choose_particles(struct ts_instance *self, struct tsim *si
 	ts_sort(s->draw, *n, sizeof *s->draw, compare_draws);
 	if (*n > (size_t)s->number)
 		*n = (size_t)s->number;
+	for (size_t k = 0; k < *n; k++)
+		if (ts_rigid_member(p, s->draw[k].row))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix evaporate: particle %d belongs to a rigid body, which cannot "
+				       "lose "
+				       "particles; restrict the group to free particles",
+				       p->tag[s->draw[k].row]);
 	return TS_OK;
 }
 
@@ -151,7 +159,8 @@ const struct ts_style ts_fix_evaporate = {
 	.doc = "In each step that is a multiple of N, M particles are chosen at random among those of the "
 	       "group whose centres are in the region, and deleted; all of them if there are fewer. The "
 	       "random numbers are functions of seed, step and atom ID: the choice does not depend on the "
-	       "number of threads and is the same after a restart.",
+	       "number of threads and is the same after a restart. Particles of rigid bodies are an "
+	       "error.",
 	.example = "fix dry all evaporate 1000 10 top 49892",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -3,6 +3,8 @@
 #include "core/ranks.h"
 #include "core/report.h"
 
+#include <string.h>
+
 #include "base/sort.h"
 #include "box/domain.h"
 #include "insert/insertion_rate.h"
@@ -350,7 +352,7 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 
 /* ---- the stream */
 
-/* The data of a rigid body are stored with its first sphere. */
+/* The numbers of a rigid body are found for its first sphere; the others have copies, since they may be of other ranks. */
 static bool is_first_of_body(const struct ts_particles *p, size_t from, size_t i)
 {
 	return i == from || !ts_rigid_same(p, i - 1, i);
@@ -407,9 +409,11 @@ static void start_particle(struct state *s, struct tsim *sim, size_t from, size_
 
 	for (int k = 0; k < 3; k++)
 		p->v[i][k] = -s->speed * s->normal[k];
-	memory[TS_STREAM_RELEASE] = 0;
-	if (!is_first_of_body(p, from, i))
+	if (!is_first_of_body(p, from, i)) {
+		memcpy(memory, ts_stream_record(&s->stream, sim, i - 1), TS_STREAM_WIDTH * sizeof *memory);
+		memory[TS_STREAM_DISTANCE] = -1;
 		return;
+	}
 	record_start(s, sim, body ? body->x : p->x[i], memory);
 	if (body)
 		prescribe_body(s, sim, body, memory, false);

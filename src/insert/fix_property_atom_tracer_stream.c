@@ -131,7 +131,7 @@ static enum ts_status list_passages(struct ts_instance *self, struct tsim *sim, 
 		const double *memory = ts_stream_record(stream, sim, i);
 
 		if (memory[TS_STREAM_START] != age || !(memory[TS_STREAM_RELEASE] > 0) ||
-		    !ts_in_group(p, i, self->group))
+		    memory[TS_STREAM_DISTANCE] < 0 || !ts_in_group(p, i, self->group))
 			continue;
 		if (TS_GROW(s->passage, s->passage_capacity, *n + 1) != TS_OK)
 			return ts_nomem(&sim->error);

@@ -9,9 +9,9 @@
 
 /* Numbers of each particle; all are 0 for particles of other origin. */
 enum {
-	TS_STREAM_START,			  /* age of the stream when it was inserted */
-	TS_STREAM_RELEASE,			  /* age when it passes the face; negative afterwards */
-	TS_STREAM_DISTANCE,			  /* initial distance to the face */
+	TS_STREAM_START,    /* age of the stream when it was inserted */
+	TS_STREAM_RELEASE,  /* age when it passes the face; negative afterwards */
+	TS_STREAM_DISTANCE, /* initial distance to the face; -1: a copy, of a body whose first sphere has it */
 	TS_STREAM_VELOCITY,			  /* velocity that it gets at the face, 3 numbers */
 	TS_STREAM_PLACE = TS_STREAM_VELOCITY + 3, /* initial position, 3 numbers */
 	TS_STREAM_WIDTH = TS_STREAM_PLACE + 3

@@ -134,6 +134,8 @@ enum ts_status ts_mesh_stress_join(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	s->unsummed = false;
 	TS_TRY(sum_contacts(self, sim));
+	if (!sim->run.resuming && sim->clock.step == sim->clock.first_step) /* a set-up is no complete step */
+		return TS_OK;
 	return ts_mesh_stress_settle(self, sim);
 }
 

@@ -82,6 +82,7 @@ static enum ts_status read_exclusion(struct tsim *sim, struct ts_words words, si
 	*used = 1;
 	if (ts_streq(word[0].text, "none")) {
 		sim->neigh->nexclude = 0;
+		memset(sim->neigh->exclude, 0, sizeof sim->neigh->exclude);
 		return TS_OK;
 	}
 	while (kind < sizeof kinds / sizeof *kinds && !ts_streq(kinds[kind].name, word[0].text))

@@ -89,6 +89,21 @@ enum ts_status ts_particles_need(struct tsim *sim, unsigned columns)
 	return TS_OK;
 }
 
+bool ts_particles_column_orphaned(const struct tsim *sim, const struct ts_column *c)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++)
+			if (sim->instances[kind].item[k]->serial == c->owner)
+				return false;
+	return c->owner != 0;
+}
+
+static void add_owner(struct tsim *sim, struct ts_column *c)
+{
+	if (sim->defining && sim->defining != c->owner)
+		c->owner = ts_particles_column_orphaned(sim, c) ? sim->defining : 0;
+}
+
 enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
 				       size_t *index)
 {
@@ -99,6 +114,7 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 		if (ts_streq(p->column[*index].name, name))
 			break;
 	if (*index < p->ncolumns) {
+		add_owner(sim, &p->column[*index]);
 		p->column[*index].flags |= flags & TS_COL_COPIED;
 		if (p->column[*index].width == width)
 			return TS_OK;
@@ -115,7 +131,8 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 				 .element = sizeof(double),
 				 .width = width,
 				 .flags = flags,
-				 .active = true };
+				 .active = true,
+				 .owner = sim->defining };
 	if (!c->name || (p->capacity && reallocate_column(sim, c, 0, p->capacity, p->capacity) != TS_OK))
 		return ts_nomem(&sim->error);
 	p->ncolumns++;

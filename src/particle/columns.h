@@ -23,6 +23,8 @@ enum ts_status ts_particles_reserve_ghosts(struct tsim *sim, size_t n);
 
 /* Activates built-in columns, filled with zeros; `columns` has the bits 1 << enum ts_column_id. */
 enum ts_status ts_particles_need(struct tsim *sim, unsigned columns);
+/* Whether the instance that has added the column is gone: its numbers have no meaning. */
+bool ts_particles_column_orphaned(const struct tsim *sim, const struct ts_column *c);
 /* Adds a column of `width` doubles per particle for a style, e.g. "f_heat", or finds it; *index is its
  * index in particles->column. */
 enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width, unsigned flags,

@@ -2,6 +2,7 @@
 #include "core/ref_list.h"
 
 #include "core/sim.h"
+#include "core/unclaimed_state.h"
 #include "particle/columns.h"
 #include "particle/group_moments.h"
 
@@ -69,7 +70,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	ts_str_release(&name);
 	TS_TRY(status);
 	s->started = true;
-	return store_inputs(self, sim);
+	return ts_unclaimed_exists(sim, self) ? TS_OK : store_inputs(self, sim);
 }
 
 static bool due(const struct ts_instance *self, const struct tsim *sim)

@@ -279,7 +279,8 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 		return;
 	}
 	for (size_t k = 0; k < p->ncolumns; k++)
-		if (p->column[k].active && !(p->column[k].flags & TS_COL_RESULT))
+		if (p->column[k].active && !(p->column[k].flags & TS_COL_RESULT) &&
+		    !ts_particles_column_orphaned(sim, &p->column[k]))
 			sum += sum_column(p, k, n);
 	sum = apart ? sum_of_ranks(sim, sum) : sum;
 	ts_hash_add(hash, &sum, sizeof sum);

@@ -59,6 +59,7 @@ struct ts_column {
 	void *data;	 /* [capacity][width], cache-line aligned; NULL if not active */
 	void **bound;	 /* the member of struct ts_particles that is kept equal to data, or NULL */
 	double *initial; /* [width], values of new particles; NULL: 0 */
+	uint64_t owner;	 /* serial number of the instance that has added it; 0: not known, or several */
 };
 
 /* A dynamic group, whose members are reassigned during a run: group/group_dynamic.h. The names belong to

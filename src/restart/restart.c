@@ -482,7 +482,9 @@ static enum ts_status restore_all(struct ts_sections *r)
 		ts_free(r->section[k].plain);
 		r->section[k].plain = NULL;
 	}
-	return ts_sim_has_box(r->sim) ? TS_OK : ts_sections_refuse(r, "is damaged: it has no simulation box");
+	if (!ts_sim_has_box(r->sim))
+		return ts_sections_refuse(r, "is damaged: it has no simulation box");
+	return ts_unclaimed_apply_earlier(r->sim);
 }
 
 /* A file with valid checksums may still have impossible contents: nothing of it is kept. */

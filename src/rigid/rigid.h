@@ -54,6 +54,7 @@ struct ts_rigid {
 	size_t *row_start;
 	size_t row_capacity, row_start_capacity;
 	uint64_t generation; /* of the particles when members were listed; 0: not listed */
+	bool read;	     /* from a restart file; no run has begun since then */
 	bool fresh;	     /* a run begins: members may have got other velocities */
 	int64_t lost;	     /* particles that had been lost when bodies were checked */
 	/* Fails if a fix also integrates one of the members row[0..n-1]; set by the integrators. */

@@ -113,6 +113,24 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 	return for_each_body(sim, sum_forces);
 }
 
+/* After `unfix` bodies dissolve as the script has said, not if it does not define the fix of a restart file again. */
+static void warn_of_orphans(struct tsim *sim, struct ts_rigid *r)
+{
+	size_t n = 0;
+
+	for (size_t b = 0; r->read && b < r->n; b++)
+		n += !ts_rigid_owner_lives(sim, r->owner[b]);
+	r->read = false;
+	if (n)
+		ts_warn(&sim->log, NULL,
+			"rigid bodies of the restart file are dissolved (%zu), since the script does not "
+			"define "
+			"the fix again that moves them (fix rigid, fix multisphere): their particles go on "
+			"as "
+			"single ones",
+			n);
+}
+
 /* After particles were lost and inverse masses were set: deletes incomplete bodies, sets imass of members. */
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
@@ -123,6 +141,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	r->lost = sim->particles->lost;
 	if (!r->n)
 		return TS_OK;
+	warn_of_orphans(sim, r);
 	TS_TRY(ts_rigid_dissolve_orphans(sim));
 	TS_TRY(ts_rigid_list(sim));
 	TS_TRY(ts_rigid_drop_incomplete(sim));
@@ -172,6 +191,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
 	r->n = ids;
 	r->generation = 0;
+	r->read |= !ts_archive_writing(a);
 	return check_members(sim);
 }
 

@@ -36,10 +36,10 @@ static enum ts_status unknown_surface(struct tsim *sim, const struct ts_word *id
 	for (size_t k = 0; k < fixes->n; k++)
 		if (kind_of(fixes->item[k]))
 			ts_suggest_try(&suggest, fixes->item[k]->id);
-	return ts_fail(&sim->error, TS_UNKNOWN, &id->place,
-		       "there is no surface '%s': expected the ID of a fix mesh/surface, a fix "
-		       "surface/voxel, or a fix wall/gran with a plane or cylinder%s",
-		       id->text, ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, "fix", id->text, &id->place,
+			  "there is no surface '%s': expected the ID of a fix mesh/surface, a fix "
+			  "surface/voxel, or a fix wall/gran with a plane or cylinder%s",
+			  id->text, ts_suggest_text(&suggest));
 }
 
 /* Walls of meshes have several surfaces: which one? */

@@ -446,4 +446,121 @@ variable samples equal \$(c_m[3])
 neighbor 0.21 bin
 run 0
 print \"left \$(c_l[1]) the same \$(c_s[1]==v_now&&v_now!=0) \$(c_m[3]==v_samples)\"" 'left 0 the same 1 1'
+
+# ---- restart files: fixes that stand before read_restart, bodies whose fix is missing, what was there before
+cut="write_restart cut.restart
+run 10
+print \"end \$(x[1]:%.17g) \$(z[2]:%.17g) \$(ke:%.17g)\" file whole.txt screen no"
+# same_end WHAT FIRST SECOND: the second script goes on from the file as the first one does
+same_end() {
+	printf '%s\n%s\n' "$2" "$cut" >in.first
+	printf '%s\nrun 10\nprint "end $(x[1]:%%.17g) $(z[2]:%%.17g) $(ke:%%.17g)" file part.txt screen no\n' "$3" >in.second
+	rm -f whole.txt part.txt
+	"$TSIM" -in in.first -log none >out 2>&1 && "$TSIM" -in in.second -log none >out 2>&1 && cmp whole.txt part.txt >>out
+	report "$1" $? out
+}
+atoms='units si
+atom_modify map array
+boundary f f f
+region b block -0.05 0.05 -0.05 0.05 0 0.1 units box'
+two='create_box 2 b
+create_atoms 1 single 0 0.001 0.00499 units box
+create_atoms 2 single 0.001 0 0.01489 units box
+set group all diameter 0.01 density 2500
+velocity all set 0.05 0 -0.1'
+motion='pair_style gran/hooke/history 5000 NULL 500 NULL 0.5 1
+pair_coeff * *
+fix move all nve/sphere
+fix fall all gravity 9.81 vector 0 0 -1
+fix floor all wall/gran hooke/history 5000 NULL 500 NULL 0.5 1 zplane 0 NULL
+timestep 2e-5'
+same_end 'a column whose fix is gone' "$atoms
+$two
+$motion
+fix count all property/atom d_q
+run 5
+unfix count
+run 10" "units si
+atom_modify map array
+read_restart cut.restart
+$motion"
+same_end 'exclusions that were removed' "$atoms
+$two
+$motion
+group few id 2
+neigh_modify exclude type 1 2
+neigh_modify exclude none
+neigh_modify exclude group few few
+run 10" "units si
+atom_modify map array
+read_restart cut.restart
+$motion
+neigh_modify exclude type 1 2
+neigh_modify exclude none
+neigh_modify exclude group few few"
+printf '%s\n' "$atoms" 'fix pm all property/atom mol d_q' "$two" 'set atom 1 mol 7' 'set group all d_q 3.5' "$motion" 'run 3' 'write_restart mol.restart' >in.mol
+"$TSIM" -in in.mol -log none >out 2>&1
+report 'molecules before the box' $? out
+prints "units si
+fix pm all property/atom mol d_q
+read_restart mol.restart
+$motion
+compute m all property/atom mol d_q
+compute s all reduce sum c_m[1] c_m[2]
+run 1
+print \"sums \$(c_s[1]) \$(c_s[2])\"" 'sums 7 7'
+# numbers that were stored, and drawn, before
+printf '%s\n' "$atoms" "$two" 'variable r atom random(0,1,4711)' 'fix st all store/state 0 v_r' "$motion" 'run 3' 'write_restart drawn.restart' \
+	'variable next equal random(0,1,4711)' 'print "next $(v_next:%.12g)" file next.whole screen no' >in.drawn
+printf '%s\n' 'units si' 'read_restart drawn.restart' 'variable r atom random(0,1,4711)' 'fix st all store/state 0 v_r' "$motion" 'run 0' \
+	'variable next equal random(0,1,4711)' 'print "next $(v_next:%.12g)" file next.part screen no' >in.again
+"$TSIM" -in in.drawn -log none >out 2>&1 && "$TSIM" -in in.again -log none >out 2>&1 && cmp next.whole next.part >>out
+report 'random numbers of fix store/state' $? out
+# bodies
+printf '%s\n' "$atoms" "$two" "$motion" 'unfix move' 'fix body all rigid single' 'run 3' 'write_restart body.restart' >in.body
+"$TSIM" -in in.body -log none >out 2>&1
+report 'a body' $? out
+prints "units si
+read_restart body.restart
+$motion
+run 1" '*rigid bodies of the restart file are dissolved (1)'
+prints "units si
+read_restart body.restart
+$motion
+unfix move
+fix body all rigid single
+run 1"
+! grep -q dissolved out
+report 'a body whose fix is defined again' $? out
+
+# ---- a wall that is replaced by one like it has not had the contacts: its forces are those of a set-up
+prints "$atoms
+$two
+$motion
+thermo_style custom step f_floor[3]
+run 20
+variable before equal \$(f_floor[3])
+unfix floor
+fix floor all wall/gran hooke/history 5000 NULL 500 NULL 0.5 1 zplane 0 NULL
+run 0
+print \"pushed \$(f_floor[3]<0)\"" 'pushed 1'
+
+# ---- a box that a command changes while fix deform is active
+prints "units lj
+boundary p p p
+lattice sc 1.0
+region box block 0 5 0 5 0 5 units box
+create_box 1 box
+create_atoms 1 region box
+set group all diameter 0.9 density 1
+fix 1 all nve/sphere
+fix d1 all deform 1 x erate -0.5
+timestep 0.001
+run 5
+replicate 2 1 1
+run 5
+variable first equal \$(lx)
+change_box all x scale 0.9 remap units box
+run 5
+print \"lengths \$(v_first:%.8g) \$(lx:%.8g)\"" "lengths $(awk 'BEGIN { a = 5 * (1 - 0.0025) * 2 * (1 - 0.0025); printf "%.8g %.8g", a, a * 0.9 * (1 - 0.0025) }')"
 finish
