@@ -830,6 +830,7 @@ tests_stability_check_network_LDADD = $(tests_ldadd)
 tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c
 tests_stability_check_relaxation_CFLAGS = $(tests_cflags)
 tests_stability_check_relaxation_LDADD = $(tests_ldadd)
+
 tests_stability_check_servo_SOURCES = tests/stability/check_servo.c
 tests_stability_check_servo_CFLAGS = $(tests_cflags)
 tests_stability_check_servo_LDADD = $(tests_ldadd)

@@ -101,8 +101,8 @@ const struct ts_style ts_dump_mesh_stl = {
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,
 	.summary = "Meshes at their present position, as STL (text)",
-	.doc = "Writes one file per frame, with one solid that contains all triangles, mesh after mesh. "
-	       "`stl` is another name of this style.",
+	.doc = "Writes one file per frame, with one solid that contains all triangles, mesh after mesh; "
+	       "coordinates have six digits, as in LIGGGHTS. `stl` is another name of this style.",
 	.example = "dump walls all mesh/stl 300 post/walls*.stl\n"
 		   "dump mill all mesh/stl 300 post/mill*.stl lifters drum region half",
 	.args = args,

@@ -91,6 +91,8 @@ static const char doc[] =
 	"intersection moves, or its members do; LAMMPS leaves out the velocity of the members. A change of "
 	"size contributes nothing to the surface velocity. A surface that moves by more than the radius of a "
 	"particle near it in one step stops the run (doc/stability.md).\n\n"
+	"Unlike a mesh, a region has no images across periodic faces: a surface that reaches such a face "
+	"ends there.\n\n"
 	"Related: fix wall/gran, region, compute wall/gran/local.";
 
 static const struct ts_arg_group groups[] = {

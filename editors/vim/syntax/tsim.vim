@@ -70,7 +70,7 @@ syn keyword tsimKeyword  hopper half_angle height stem wedge depth ends drum lif
 syn keyword tsimKeyword  shaft pitch hand right left periodic mixer blades at base axis
 syn keyword tsimKeyword  angle segments error size normals outward inward primitive check
 syn keyword tsimKeyword  binsize contact_distance_factor page one cluster collection/type
-syn keyword tsimKeyword  collection/interval exclude bin nsq fixed omp grain tail mix
+syn keyword tsimKeyword  collection/interval exclude bin nsq fixed omp neigh grain tail mix
 syn keyword tsimKeyword  arithmetic sixthpower universe grid part numa add nocoeff
 syn keyword tsimKeyword  extra/atom/types extra/bond/types extra/angle/types
 syn keyword tsimKeyword  extra/dihedral/types extra/improper/types
