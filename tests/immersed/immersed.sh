@@ -46,14 +46,14 @@ done
 near 'drag with substeps' "$(drag 16 'substeps 3')" "$coarse" 0.02
 near 'drag with viscosity implicit, first order in the step' "$(drag 16 'viscous implicit')" "$coarse" 0.05
 
-# ---- spheres in a simple cubic array, an eighth of the volume: 4.292 times Stokes' drag (A. A. Zick & G. M.
-# Homsy, J. Fluid Mech. 115 (1982) 13)
+# ---- spheres in a simple cubic array, an eighth and a third (0.343) of the volume: 4.292 and 15.4 times Stokes' drag (A. A. Zick
+# & G. M. Homsy, J. Fluid Mech. 115 (1982) 13); in the second one two cells are left between them
 cat >in.spheres <<'END2'
 units si
 boundary p p p
 region box block 0 1 0 1 0 1 units box
 create_box 1 box
-variable D equal (0.75/PI)^(1/3)
+variable D equal (6*v_c/PI)^(1/3)
 flow_style projection cells 16 16 16 viscosity 2.385 density 1 body_force 1 0 0
 region ball sphere 0.51 0.47 0.53 $(v_D/2) units box
 fix ball all immersed/boundary region ball
@@ -62,8 +62,10 @@ timestep $(0.15/16^2/2.385)
 run 260
 print "K $(f_ball[1]/3/PI/2.385/v_D/c_flux[3])"
 END2
-"$TSIM" -in in.spheres -log none >out 2>&1
+"$TSIM" -in in.spheres -log none -var c 0.125 >out 2>&1
 near 'spheres in an array, 10 cells across' "$(awk '$1 == "K" { print $2 }' out)" 4.292 0.05
+"$TSIM" -in in.spheres -log none -var c 0.343 >out 2>&1
+near 'spheres in a dense array, 14 cells across' "$(awk '$1 == "K" { print $2 }' out)" 15.4 0.03
 
 # ---- between a cylinder that turns and one at rest: the torque 4 pi mu omega r^2 R^2/(R^2 - r^2) on both
 cat >in.couette <<'END2'
