@@ -154,6 +154,59 @@ static void release(struct ts_solid *solid)
 
 static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, release, team };
 
+/* Marks the triangles that are connected by edges with this one; `stack`: room for all. */
+static void mark_shell(const struct ts_mesh *m, size_t first, bool *seen, size_t *stack)
+{
+	size_t n = 1;
+
+	stack[0] = first;
+	seen[first] = true;
+	while (n > 0) {
+		size_t t = stack[--n];
+
+		for (int k = 0; k < 3; k++) {
+			size_t next = (size_t)m->neighbour[t][k];
+
+			if (!seen[next])
+				stack[n++] = next;
+			seen[next] = true;
+		}
+	}
+}
+
+/* Whether the normal of the triangle points out of the body, or into it. */
+static bool points(const struct ts_mesh *m, size_t t, bool inwards)
+{
+	const double step = 1e-6 * sqrt(m->area[t]);
+	double front[3] = { m->centre[t][0], m->centre[t][1], m->centre[t][2] };
+	double back[3] = { front[0], front[1], front[2] };
+
+	ts_axpy(step, m->normal[t], front);
+	ts_axpy(-step, m->normal[t], back);
+	return ts_mesh_inside(m, front) == inwards && ts_mesh_inside(m, back) != inwards;
+}
+
+/* A mesh may have several shells, each with normals to one side. *turned: a triangle of one whose normals point to the other
+ * side than those of most of the volume; m->n: none. */
+static enum ts_status find_turned_shell(const struct ts_mesh *m, bool inwards, size_t *turned)
+{
+	bool *seen = ts_alloc(m->n, sizeof *seen);
+	size_t *stack = ts_alloc(m->n, sizeof *stack);
+	enum ts_status status = seen && stack ? TS_OK : TS_NOMEM;
+
+	*turned = m->n;
+	for (size_t t = 0; status == TS_OK && t < m->n && *turned == m->n; t++) {
+		if (seen[t] || !(m->area[t] > 0))
+			continue;
+		mark_shell(m, t, seen, stack);
+		if (!points(m, t, inwards))
+			*turned = t;
+	}
+	ts_free(seen);
+	ts_free(stack);
+	return status;
+}
+
 enum ts_status ts_solid_check_mesh(struct tsim *sim, const struct ts_word *id, const struct ts_mesh *mesh,
 				   bool *inwards)
 {
@@ -171,6 +224,14 @@ enum ts_status ts_solid_check_mesh(struct tsim *sim, const struct ts_word *id, c
 			       "triangles point inwards, those of others outwards",
 			       id->text);
 	*inwards = volume.volume < 0;
+	if (find_turned_shell(mesh, *inwards, &t) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (t < mesh->n)
+		return ts_fail(&sim->error, TS_STATE, &id->place,
+			       "fix immersed/boundary: mesh %s has several closed surfaces, and the normals "
+			       "of one, about (%g, %g, %g), point into the body where those of others point "
+			       "out of it",
+			       id->text, mesh->centre[t][0], mesh->centre[t][1], mesh->centre[t][2]);
 	return TS_OK;
 }
 

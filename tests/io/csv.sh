@@ -31,6 +31,7 @@ cat >outputs <<'END'
 fix move all nve/sphere
 variable a equal ke+step
 variable b equal vcm(all,x)
+variable w atom v_b
 variable who string "a b"
 compute p all property/atom radius vx
 compute local all pair/gran/local id force
@@ -47,7 +48,7 @@ thermo 10
 thermo_style custom step time ke v_b c_r[1]
 thermo_modify format float ${F}
 thermo_log thermo.${E}
-dump d all custom 10 dump.${E} id type x y z vx c_p[2] v_b element
+dump d all custom 10 dump.${E} id type x y z vx c_p[2] v_w element
 dump_modify d format float ${F} element "quartz, fine"
 dump e all custom 20 every.*.${E} id x
 dump l all local 10 local.${E} index c_local[1] c_local[2] c_local[4]
@@ -70,7 +71,7 @@ says_line 'step,v_a,v_b,c_r[1],c_r[2]' names
 report 'names of columns' $? names
 sed -n 2p late.csv | grep -qE '^0,[0-9]+\.[0-9]{3}$'
 report 'a given format' $? late.csv
-grep -q '^step,id,type,x,y,z,vx,c_p\[2\],v_b,element$' dump.csv && grep -q ',"quartz, fine"$' dump.csv
+grep -q '^step,id,type,x,y,z,vx,c_p\[2\],v_w,element$' dump.csv && grep -q ',"quartz, fine"$' dump.csv
 report 'quotes' $? dump.csv
 grep -q '^step,b,ke + 1,who$' print.csv && grep -q ',a b$' print.csv
 report 'fix print: names and texts' $? print.csv
