@@ -207,6 +207,18 @@ rows out | awk '{ printf "%d %.5f %.5f\n", $1, $2, $3 }' >rows.inwards
 same 'a mesh whose normals point inwards' rows.mesh rows.inwards
 sed 's/block.stl/mixed.stl/' in.block >in.mixed
 refused 'normals inwards and outwards' 'encloses no volume' -in in.mixed -var body 'mesh surface'
+# a second, smaller block beside it, or a hollow in it: with normals to the same side of the body
+for where in 'beside 0.4 0.05 yes' 'beside 0.4 -0.05 no' 'hollow 0 -0.05 yes' 'hollow 0 0.05 no'; do
+	read -r name shift half runs <<<"$where"
+	{ sed '$d' block.stl; cuboid 0.05 0.05 "$half" | awk -v s="$shift" '/vertex/ { $2 += s } { print }' | sed 1d; } >two.stl
+	sed 's/block.stl/two.stl/; s/min_cells 3.6/min_cells 0/; s/^run 40/run 1/' in.block >in.two
+	if [ $runs = yes ]; then
+		"$TSIM" -in in.two -log none -var body 'mesh surface' >out 2>&1
+		report "two shells, $name" $? out
+	else
+		refused "two shells, $name, turned" 'has several closed surfaces' -in in.two -var body 'mesh surface'
+	fi
+done
 
 # ---- a grain comes to rest on a block that the fluid flows around: seen from outside the region is a wall
 cat >in.wall <<'END2'
