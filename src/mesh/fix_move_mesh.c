@@ -406,7 +406,7 @@ const struct ts_style ts_fix_move_mesh = {
 	       "linear and rotate are exact at any time. The others advance the mesh in each step by the "
 	       "velocity at its end times the time step, as LIGGGHTS does, so that wiggle differs from A "
 	       "sin(w t) in the order of the time step. Contact laws use the velocity of the surface at the "
-	       "contact point.\n\n"
+	       "contact point; in the forces before the first step the mesh is at rest, as in LIGGGHTS.\n\n"
 	       "Several fixes may move one mesh: they act one after the other in each step, and each of them "
 	       "also moves the origins of those after it. If a fix is deleted, the mesh stays where it is. A "
 	       "mesh with surface_vel or surface_ang_vel cannot move.\n\n"
