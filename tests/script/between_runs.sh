@@ -533,6 +533,16 @@ run 1"
 ! grep -q dissolved out
 report 'a body whose fix is defined again' $? out
 
+# a body cannot lose a particle
+rejects "$atoms
+$two
+$motion
+unfix move
+fix body all rigid single
+region in block INF INF INF INF INF INF units box
+fix x all evaporate 2 1 in 49892
+run 3" 'belongs to a rigid body, which cannot lose particles'
+
 # ---- a wall that is replaced by one like it has not had the contacts: its forces are those of a set-up
 prints "$atoms
 $two
