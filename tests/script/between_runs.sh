@@ -510,10 +510,11 @@ compute s all reduce sum c_m[1] c_m[2]
 run 1
 print \"sums \$(c_s[1]) \$(c_s[2])\"" 'sums 7 7'
 # numbers that were stored, and drawn, before
-printf '%s\n' "$atoms" "$two" 'variable r atom random(0,1,4711)' 'fix st all store/state 0 v_r' "$motion" 'run 3' 'write_restart drawn.restart' \
-	'variable next equal random(0,1,4711)' 'print "next $(v_next:%.12g)" file next.whole screen no' >in.drawn
-printf '%s\n' 'units si' 'read_restart drawn.restart' 'variable r atom random(0,1,4711)' 'fix st all store/state 0 v_r' "$motion" 'run 0' \
-	'variable next equal random(0,1,4711)' 'print "next $(v_next:%.12g)" file next.part screen no' >in.again
+drawn='variable q equal random(0,1,4711)
+variable r atom v_q+0*x
+fix st all store/state 0 v_r'
+printf '%s\n' "$atoms" "$two" "$drawn" "$motion" 'run 3' 'write_restart drawn.restart' 'run 3' 'print "next $(v_q:%.12g)" file next.whole screen no' >in.drawn
+printf '%s\n' 'units si' 'read_restart drawn.restart' "$drawn" "$motion" 'run 3' 'print "next $(v_q:%.12g)" file next.part screen no' >in.again
 "$TSIM" -in in.drawn -log none >out 2>&1 && "$TSIM" -in in.again -log none >out 2>&1 && cmp next.whole next.part >>out
 report 'random numbers of fix store/state' $? out
 # bodies
