@@ -121,17 +121,11 @@ static void bounds(const struct ts_solid *solid, size_t part, double lo[3], doub
 /* Normal as the gradient of the distance, by central differences over a small part of the reach. */
 static void normal(const struct region *s, const double x[3], double reach, double n[3])
 {
-	double step = 1e-4 * reach, length;
+	double length;
 
-	for (int k = 0; k < 3; k++) {
-		double a[3] = { x[0], x[1], x[2] }, b[3] = { x[0], x[1], x[2] };
-
-		a[k] -= step;
-		b[k] += step;
-		n[k] = k < s->solid.dimensions ? ts_region_depth_at_edges(s->instance, a) -
-							 ts_region_depth_at_edges(s->instance, b)
-					       : 0;
-	}
+	ts_region_depth_slope(ts_region_depth_at_edges, s->instance, x, 1e-4 * reach, n);
+	for (int k = 0; k < 3; k++)
+		n[k] = k < s->solid.dimensions ? -n[k] : 0;
 	length = ts_norm(n);
 	if (!(length > 0)) { /* the distance has no gradient there, deep inside */
 		n[0] = 1;

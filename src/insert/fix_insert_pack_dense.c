@@ -126,13 +126,7 @@ static void add_region_force(struct packing *p, size_t i)
 	if (!(miss > 0))
 		return;
 	p->worst = fmax(p->worst, miss / reach);
-	for (int d = 0; d < 3; d++) {
-		double a[3] = { p->x[i][0], p->x[i][1], p->x[i][2] }, b[3] = { a[0], a[1], a[2] };
-
-		a[d] -= 1e-4 * reach;
-		b[d] += 1e-4 * reach;
-		up[d] = ts_region_depth(p->region, b) - ts_region_depth(p->region, a);
-	}
+	ts_region_depth_slope(ts_region_depth, p->region, p->x[i], 1e-4 * reach, up);
 	size = ts_norm(up);
 	if (size > 0)
 		ts_axpy(2 * miss / size, up, p->f[i]);

@@ -79,9 +79,7 @@ bool ts_region_contains(const struct ts_instance *region, const double x[3])
 	return style_of(region)->contains(region, x) != (r->side == 1);
 }
 
-typedef double depth_fn(const struct ts_instance *self, const double x[3]);
-
-static double depth_by(depth_fn *depth, const struct ts_instance *region, const double x[3])
+static double depth_by(ts_region_depth_fn *depth, const struct ts_instance *region, const double x[3])
 {
 	const struct ts_region *r = region->state;
 	double y[3];
@@ -105,6 +103,18 @@ double ts_region_depth_at_edges(const struct ts_instance *region, const double x
 	const struct ts_region_style *style = style_of(region);
 
 	return depth_by(style->depth_at_edges ? style->depth_at_edges : style->depth, region, x);
+}
+
+void ts_region_depth_slope(ts_region_depth_fn *depth, const struct ts_instance *region, const double x[3],
+			   double step, double out[3])
+{
+	for (int k = 0; k < 3; k++) {
+		double low[3] = { x[0], x[1], x[2] }, high[3] = { x[0], x[1], x[2] };
+
+		low[k] -= step;
+		high[k] += step;
+		out[k] = depth(region, high) - depth(region, low);
+	}
 }
 
 double ts_region_radial(const struct ts_instance *region, const double x[3])

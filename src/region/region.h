@@ -102,6 +102,11 @@ void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[
 double ts_region_depth(const struct ts_instance *region, const double x[3]);
 /* The same, of an intersection outside of its edges, too, the distance from its surface, if its members are convex there. */
 double ts_region_depth_at_edges(const struct ts_instance *region, const double x[3]);
+/* Differences of the depth, by one of these functions, over `step` on both sides of x along each axis: twice the step by its
+ * gradient, which points inwards. */
+typedef double ts_region_depth_fn(const struct ts_instance *region, const double x[3]);
+void ts_region_depth_slope(ts_region_depth_fn *depth, const struct ts_instance *region, const double x[3],
+			   double step, double out[3]);
 /* Distance of x from the centre or axis of a round region, divided by its radius; NaN: it has no radius. */
 double ts_region_radial(const struct ts_instance *region, const double x[3]);
 /* Volume: NaN if not supported, infinite with side out. */

@@ -90,15 +90,7 @@ static void project_into(const struct ts_instance *region, double step, double x
 
 	if (!(depth < 0))
 		return;
-	for (int d = 0; d < 3; d++) {
-		double here = x[d];
-
-		x[d] = here + step;
-		n[d] = ts_region_depth_at_edges(region, x);
-		x[d] = here - step;
-		n[d] -= ts_region_depth_at_edges(region, x);
-		x[d] = here;
-	}
+	ts_region_depth_slope(ts_region_depth_at_edges, region, x, step, n);
 	size = ts_norm(n);
 	if (size > 0)
 		ts_axpy(-depth / size, n, x);
@@ -128,8 +120,7 @@ static double distance_outside(const struct state *s, const double x[3], double 
 	return fmax(least, sqrt(ts_distance2(x, y)));
 }
 
-static double combine_depths(const struct ts_instance *self, const double x[3],
-			     double (*depth_of)(const struct ts_instance *region, const double x[3]))
+static double combine_depths(const struct ts_instance *self, const double x[3], ts_region_depth_fn *depth_of)
 {
 	const struct state *s = self->state;
 	bool all = is_intersection(self);
