@@ -33,29 +33,28 @@ struct segment {
 	double length;
 };
 
-/* Pressure on a face where the gap steps, from the flow in one half of the segment: in cell c, of index k along the axis.
- * The pressure falls along the flow: outwards is 1 from the lower half to the face, -1 from the upper one. */
+/* The flow through a face where the gap steps: pressures in the cells beside it, velocities of the surfaces, and the share of
+ * the fluid in the gap. */
+struct step_flow {
+	double p[2], u[2], share;
+};
+
+/* Pressure on the face, from the flow in one half of the segment. */
 static double pressure_from_half(const struct ts_film *f, int axis, int i, int j,
-				 const struct ts_film_sides *s, double length, int c, int outwards)
+				 const struct step_flow *flow, double length, int cell,
+				 enum ts_film_half half)
 {
 	size_t at = ts_film_face(f, axis, i, j);
-	int k = axis == 0 ? c % f->n[0] : c / f->n[0];
+	int k = axis == 0 ? cell % f->n[0] : cell / f->n[0], along = half == TS_FILM_BELOW ? 1 : -1;
 	double d = (f->face[axis][k + 1] - f->face[axis][k]) / 2;
-	struct ts_film_section section = ts_film_section(f, axis, f->gap[c]);
-	double low = ts_film_reduce(f, f->p[s->low]), high = ts_film_reduce(f, f->p[s->high]);
-	double u[2], full, share = 1;
+	struct ts_film_section section = ts_film_section(f, axis, f->gap[cell]);
+	double full = section.couette[0] * flow->u[0] + section.couette[1] * flow->u[1];
 
-	ts_film_face_velocity(f, axis, s, i, j, u);
-	full = section.couette[0] * u[0] + section.couette[1] * u[1];
-	if (f->transport[axis][at] != 0)
-		share = (f->flow[axis][at] - f->conductance[axis][at] * (low - high)) /
-			f->transport[axis][at];
 	if (f->polar && axis == 1)
 		d *= ts_film_centre(f, 0, i);
-	return (c == s->low ? low : high) -
-	       outwards * 12 * f->viscosity * d / section.poiseuille *
-		       (f->flow[axis][at] / length +
-			f->ride[c == s->low ? TS_FILM_BELOW : TS_FILM_ABOVE][axis][at] - share * full);
+	return flow->p[half] -
+	       along * 12 * f->viscosity * d / section.poiseuille *
+		       (f->flow[axis][at] / length + f->ride[half][axis][at] - flow->share * full);
 }
 
 /* With least_gap the flow is not that of the gap, and the halves differ: their mean does not depend on the direction of the
@@ -63,8 +62,18 @@ static double pressure_from_half(const struct ts_film *f, int axis, int i, int j
 static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s,
 			       double length)
 {
-	return ts_film_expand(f, 0.5 * (pressure_from_half(f, axis, i, j, s, length, s->low, 1) +
-					pressure_from_half(f, axis, i, j, s, length, s->high, -1)));
+	size_t at = ts_film_face(f, axis, i, j);
+	struct step_flow flow = { .p = { ts_film_reduce(f, f->p[s->low]), ts_film_reduce(f, f->p[s->high]) },
+				  .share = 1 };
+
+	ts_film_face_velocity(f, axis, s, i, j, flow.u);
+	if (f->transport[axis][at] != 0)
+		flow.share = (f->flow[axis][at] - f->conductance[axis][at] * (flow.p[0] - flow.p[1])) /
+			     f->transport[axis][at];
+	return ts_film_expand(f,
+			      0.5 * (pressure_from_half(f, axis, i, j, &flow, length, s->low, TS_FILM_BELOW) +
+				     pressure_from_half(f, axis, i, j, &flow, length, s->high,
+							TS_FILM_ABOVE)));
 }
 
 static struct segment segment_of(const struct ts_film *f, int axis, int i, int j,
