@@ -113,22 +113,21 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 	return for_each_body(sim, sum_forces);
 }
 
-/* After `unfix` bodies dissolve as the script has said, not if it does not define the fix of a restart file again. */
-static void warn_of_orphans(struct tsim *sim, struct ts_rigid *r)
+/* Bodies whose fix is gone. After `unfix` they dissolve as the script has said, not if it does not define the fix of a restart
+ * file again. */
+static enum ts_status dissolve_orphans(struct tsim *sim, struct ts_rigid *r)
 {
-	size_t n = 0;
+	const size_t before = r->n;
 
-	for (size_t b = 0; r->read && b < r->n; b++)
-		n += !ts_rigid_owner_lives(sim, r->owner[b]);
-	r->read = false;
-	if (n)
+	TS_TRY(ts_rigid_dissolve_orphans(sim));
+	if (r->read && r->n < before)
 		ts_warn(&sim->log, NULL,
 			"rigid bodies of the restart file are dissolved (%zu), since the script does not "
-			"define "
-			"the fix again that moves them (fix rigid, fix multisphere): their particles go on "
-			"as "
-			"single ones",
-			n);
+			"define the fix again that moves them (fix rigid, fix multisphere): their particles "
+			"go on as single ones",
+			before - r->n);
+	r->read = false;
+	return TS_OK;
 }
 
 /* After particles were lost and inverse masses were set: deletes incomplete bodies, sets imass of members. */
@@ -141,8 +140,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	r->lost = sim->particles->lost;
 	if (!r->n)
 		return TS_OK;
-	warn_of_orphans(sim, r);
-	TS_TRY(ts_rigid_dissolve_orphans(sim));
+	TS_TRY(dissolve_orphans(sim, r));
 	TS_TRY(ts_rigid_list(sim));
 	TS_TRY(ts_rigid_drop_incomplete(sim));
 	if (r->fresh)
