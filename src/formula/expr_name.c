@@ -289,6 +289,12 @@ static enum ts_status read_output_name(struct ts_expr *e, const char *name, size
 /* Keywords that do not depend on the particles of other ranks; all ranks have the whole fluid where formulas read it. */
 enum { ALONE = TS_KEYWORD_CONSTANT | TS_KEYWORD_CLOCK | TS_KEYWORD_BOX | TS_KEYWORD_FLUID };
 
+/* Whether keywords are judged before they are evaluated, which tells by itself whether they have a value. */
+static bool is_judged(const struct tsim *sim)
+{
+	return (sim->reading.dry || sim->reading.explain) && !sim->reading.unreached;
+}
+
 /* A thermo keyword. The values of some are known behind a run that is left out. */
 static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keyword *keyword, size_t at,
 				       struct ts_operand *out)
@@ -300,7 +306,7 @@ static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keywor
 
 	e->formulas->reads_all |= !(keyword->flags & ALONE);
 	e->formulas->reads_fluid |= keyword->flags & TS_KEYWORD_FIELDS;
-	status = e->sim->reading.unreached ? TS_OK : ts_keyword_check(e->sim, keyword, NULL);
+	status = is_judged(e->sim) ? ts_keyword_check(e->sim, keyword, NULL) : TS_OK;
 	if (status != TS_OK) /* in a dry run like an output that does not exist yet */
 		return ts_expr_locate_error(e, e->sim->reading.dry ? TS_UNKNOWN : status, at, e->at);
 	if (e->sim->reading.dry)
