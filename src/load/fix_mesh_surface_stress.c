@@ -25,8 +25,12 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
+static const char *const names[] = { TS_MESH_STRESS_NAMES };
+
 static const struct ts_value values[] = {
-	TS_MESH_STRESS_VALUE,
+	{ "stress", "force, torque, length",
+	  "force on the mesh and torque about the reference point in the last step, and that point",
+	  TS_VECTOR, 9, names, ts_mesh_stress_eval },
 	TS_MESH_STRESS_TRIANGLES,
 	{ .name = NULL },
 };

@@ -462,8 +462,7 @@ static const struct ts_arg args[] = {
 };
 
 enum { NUMBERS = 12 };
-static const char *const number_names[NUMBERS] = { "fx", "fy", "fz", "tx",  "ty",  "tz",
-						   "x",	 "y",  "z",  "xcm", "ycm", "zcm" };
+static const char *const number_names[NUMBERS] = { TS_MESH_STRESS_NAMES, "xcm", "ycm", "zcm" };
 
 /* The last three: the point `com`, which moves with the mesh. */
 static enum ts_status eval_numbers(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)

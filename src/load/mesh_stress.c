@@ -7,7 +7,6 @@
 
 #include "base/banned.h"
 
-const char *const ts_mesh_stress_names[] = { "fx", "fy", "fz", "tx", "ty", "tz", "x", "y", "z" };
 const char *const ts_mesh_stress_triangle_names[] = { "normal", "shear", "x", "y", "z", "wear" };
 
 /* ---- the fix of the mesh ---- */

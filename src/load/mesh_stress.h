@@ -21,7 +21,6 @@ struct ts_mesh_stress {
 	double total[2][3];
 	double *normal, *shear; /* of each triangle: |force| / area, across and along it */
 };
-extern const char *const ts_mesh_stress_names[];
 
 #define TS_MESH_STRESS_ARGS(T, f)                                                     \
 	TS_VEC3("reference_point", T, f.given, .fallback = "0 0 0", .unit = "length", \
@@ -33,13 +32,7 @@ extern const char *const ts_mesh_stress_names[];
 
 /* f_ID[1..9]; the first member of the state is the surface. */
 enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
-#define TS_MESH_STRESS_VALUE                                                                        \
-	{                                                                                           \
-		"stress", "force, torque, length",                                                  \
-			"force on the mesh and torque about the reference point in the last step, " \
-			"and that point",                                                           \
-			TS_VECTOR, 9, ts_mesh_stress_names, ts_mesh_stress_eval                     \
-	}
+#define TS_MESH_STRESS_NAMES "fx", "fy", "fz", "tx", "ty", "tz", "x", "y", "z"
 
 /* f_ID[1..6] of each triangle. */
 enum ts_status ts_mesh_stress_eval_triangles(struct ts_instance *self, const struct tsim *sim,
