@@ -69,8 +69,8 @@ struct ts_immersed_sums {
 	double velocity[3], spin[3]; /* inside: mean of u, and of (x - X) x u about the mean position X */
 };
 
-/* The points of one component of one part (an image of it) in one plane across the last axis, and sums over them. Ranks divide planes, so sums
- * over planes in their order are the same on any number of ranks. */
+/* The points of one component of one part (an image of it) in one plane across the last axis, and sums over them. Ranks divide
+ * planes, so sums over planes in their order are the same on any number of ranks. */
 struct ts_immersed_layer {
 	size_t first, end;	 /* of its points */
 	int32_t component, part; /* the component is c */

@@ -72,8 +72,7 @@ static enum ts_status choose_particles(struct ts_instance *self, struct tsim *si
 		if (ts_rigid_member(p, s->draw[k].row))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix evaporate: particle %d belongs to a rigid body, which cannot "
-				       "lose "
-				       "particles; restrict the group to free particles",
+				       "lose particles; restrict the group to free particles",
 				       p->tag[s->draw[k].row]);
 	return TS_OK;
 }

@@ -25,7 +25,7 @@ enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct 
 				       const double x[3], double reach, struct ts_mesh_list *list, bool *near,
 				       struct ts_mesh_distance *out);
 
-/* Whether x is inside, at any distance: by the total solid angle of the triangles seen from x, 4 pi or 0
+/* Whether x is inside, at any distance: by the total solid angle of the triangles seen from x, +-4 pi or 0
  * (A. Van Oosterom & J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125). O(n). */
 bool ts_mesh_inside(const struct ts_mesh *mesh, const double x[3]);
 
