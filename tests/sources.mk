@@ -85,6 +85,7 @@ shell_tests = \
 	tests/crosscheck/vtk_layout.sh \
 	tests/crosscheck/walls.sh \
 	tests/crosscheck/words_lammps.sh \
+	tests/dump/dump_keywords.sh \
 	tests/dump/dump_words.sh \
 	tests/dump/dumps.sh \
 	tests/dump/h5md.sh \

@@ -94,6 +94,7 @@ TS_STYLE(dump, ts_style, ts_dump_euler_vtk)
 const struct ts_style ts_dump_euler_vtk = {
 	.name = "euler/vtk",
 	.kind = TS_KIND_DUMP,
+	.dump_words = "binary append",
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

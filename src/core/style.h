@@ -193,6 +193,9 @@ struct ts_style {
 	/* Computes: takes the present state as the new reference, e.g. initial positions (dump_modify
 	 * refresh). */
 	ts_hook_fn *refresh;
+	/* Dumps: the keywords of dump_modify that change their frames, separated by blanks, but those that tell when and
+	 * where frames are written. */
+	const char *dump_words;
 	/* Options of fix_modify, compute_modify or dump_modify of this style: reads the first of `words`; *used: how
 	 * many words belong to it, 0: it is not an option of this style. */
 	enum ts_status (*modify)(struct ts_instance *self, struct tsim *sim, struct ts_words words,

@@ -47,7 +47,8 @@ const struct ts_command_style ts_command_dump_modify = {
 		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int %d. The "
 		       "format of a column takes precedence over those of float and int, and these over the "
 		       "format of the line. thresh, region and sorting by columns apply to dumps of "
-		       "particles.",
+		       "particles. A keyword that does not change the frames of the dump is warned of, as by "
+		       "LIGGGHTS.",
 		.example = "dump_modify rock pad 8 format float %.15g format 1 %08d\n"
 			   "dump_modify fast thresh vz < -0.5 thresh c_load >= 2.385 region shaft sort -4",
 		.args = args,

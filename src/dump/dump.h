@@ -64,6 +64,8 @@ struct ts_dump_common {
 		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL | TS_WRITES,               \
 			.help = "name of the file; `*` stands for the step, one file per frame; " \
 				"compressed if it ends in .gz")
+/* Keywords of dump_modify that choose and order particles: part of dump_words of a style. */
+#define TS_DUMP_SELECTION "sort thresh region"
 #define TS_DUMP_SAVED(T) TS_SAVE_I64(T, common.last), TS_SAVE_I64(T, common.frames)
 
 /* Arguments of dump_modify. Keywords that are not given are -1 (enums), INT64_MIN or NULL. */

@@ -44,6 +44,7 @@ TS_STYLE(dump, ts_style, ts_dump_atom)
 const struct ts_style ts_dump_atom = {
 	.name = "atom",
 	.kind = TS_KIND_DUMP,
+	.dump_words = TS_DUMP_SELECTION " refresh format label time units scale image header append",
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

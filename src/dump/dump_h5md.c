@@ -312,6 +312,7 @@ TS_STYLE(dump, ts_style, ts_dump_h5md)
 const struct ts_style ts_dump_h5md = {
 	.name = "h5md",
 	.kind = TS_KIND_DUMP,
+	.dump_words = TS_DUMP_SELECTION " refresh append",
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

@@ -38,6 +38,7 @@ TS_STYLE(dump, ts_style, ts_dump_local)
 const struct ts_style ts_dump_local = {
 	.name = "local",
 	.kind = TS_KIND_DUMP,
+	.dump_words = "refresh format label time units header append",
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

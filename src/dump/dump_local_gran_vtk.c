@@ -97,6 +97,7 @@ TS_STYLE(dump, ts_style, ts_dump_local_gran_vtk)
 const struct ts_style ts_dump_local_gran_vtk = {
 	.name = "local/gran/vtk",
 	.kind = TS_KIND_DUMP,
+	.dump_words = "binary append",
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

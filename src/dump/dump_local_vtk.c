@@ -80,6 +80,7 @@ TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 const struct ts_style ts_dump_local_vtk = {
 	.name = "local/vtk",
 	.kind = TS_KIND_DUMP,
+	.dump_words = "refresh binary append",
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

@@ -133,6 +133,47 @@ static void set_answers(struct ts_dump_common *d, const struct ts_dump_changes *
 		d->delay = c->delay;
 }
 
+static bool has_word(const char *words, const char *word)
+{
+	size_t length = strlen(word);
+
+	for (const char *at = words; at && (at = strstr(at, word)); at += length)
+		if ((at == words || at[-1] == ' ') && (at[length] == '\0' || at[length] == ' '))
+			return true;
+	return false;
+}
+
+/* LIGGGHTS, too, warns of keywords that do not change the frames of a dump. */
+static void warn_without_effect(struct tsim *sim, const struct ts_instance *dump,
+				const struct ts_dump_changes *c, const struct ts_place *where)
+{
+	const struct {
+		const char *word;
+		bool given;
+	} keyword[] = {
+		{ "append", c->append > 0 },
+		{ "binary", c->binary > 0 },
+		{ "element", c->element.n },
+		{ "format", c->format.n },
+		{ "header", c->header == 0 },
+		{ "image", c->image > 0 },
+		{ "label", c->label },
+		{ "refresh", c->refresh },
+		{ "region", c->region },
+		{ "scale", c->scale == 0 },
+		{ "sort", c->sort && !ts_streq(c->sort, "id") },
+		{ "thresh", c->thresh.n },
+		{ "time", c->time > 0 },
+		{ "units", c->units > 0 },
+	};
+
+	for (size_t k = 0; k < sizeof keyword / sizeof *keyword; k++)
+		if (keyword[k].given && !has_word(dump->style->dump_words, keyword[k].word))
+			ts_warn(&sim->log, ts_sim_word_of(sim, keyword[k].word, where),
+				"dump_modify: %s has no effect on dump %s", keyword[k].word,
+				dump->style->name);
+}
+
 /* Keywords of the style itself. */
 static enum ts_status modify_picture(struct tsim *sim, struct ts_instance *dump, struct ts_words words)
 {
@@ -159,6 +200,7 @@ enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump, const 
 {
 	struct ts_dump_common *d = dump->state;
 
+	warn_without_effect(sim, dump, c, where);
 	set_answers(d, c);
 	if (c->element.n && ts_words_copy(&dump->arena, c->element, &d->element) != TS_OK)
 		return ts_nomem(&sim->error);

@@ -374,14 +374,21 @@ static enum ts_status find_deleted(struct tsim *sim, struct ts_ledger *l, bool *
 								      : TS_OK;
 }
 
+/* Fixes change masses in these stages: EXCHANGE is executed where lists are rebuilt. */
+static bool may_change_masses(const struct tsim *sim, const struct ts_ledger *l, const struct ts_instance *by)
+{
+	int stage = sim->acted.stage;
+
+	return by->style->kind == TS_KIND_FIX &&
+	       (stage == TS_STAGE_POST_INTEGRATE || (stage == TS_STAGE_EXCHANGE && l->stepping));
+}
+
 /* Outside the kick stages any change of velocities or masses is a direct change by the acting style. With several ranks
  * those that see none wait, too, for what the others have seen. */
 static enum ts_status account_direct_changes(struct tsim *sim, struct ts_ledger *l,
 					     const struct ts_instance *by)
 {
-	bool changed = velocities_changed(sim, l) ||
-		       (by->style->kind == TS_KIND_FIX && sim->acted.stage == TS_STAGE_POST_INTEGRATE),
-	     deleted;
+	bool changed = velocities_changed(sim, l) || may_change_masses(sim, l, by), deleted;
 	struct ts_ledger_entry entry = { .post = post_kinetic,
 					 .by = by,
 					 .at = l->stepping ? OF_ACTOR : BETWEEN_RUNS,

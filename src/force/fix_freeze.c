@@ -94,7 +94,8 @@ TS_STYLE(fix, ts_style, ts_fix_freeze)
 const struct ts_style ts_fix_freeze = {
 	.name = "freeze",
 	.kind = TS_KIND_FIX,
-	.ranks = TS_RANKS_OWN,
+	.ranks = TS_RANKS_OWN | TS_RANKS_OUTPUTS,
+	.join = ts_particle_tally_join,
 	.summary = "keeps the particles of the group at rest",
 	.doc = "Sets force and torque of the particles of the group to zero. Particles at rest stay at "
 	       "rest; moving ones keep their velocity, so set it to zero first. Frozen particles have "

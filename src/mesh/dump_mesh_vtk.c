@@ -304,6 +304,7 @@ TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
 const struct ts_style ts_dump_mesh_vtk = {
 	.name = "mesh/vtk",
 	.kind = TS_KIND_DUMP,
+	.dump_words = "binary append",
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

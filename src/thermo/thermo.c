@@ -15,7 +15,7 @@
 #include "base/banned.h"
 
 /* Title of a column: "Step", "KinEng" for keywords; for c_ID, f_ID, v_NAME the part after the prefix, of
- * which LIGGGHTS prints eight characters. */
+ * which LIGGGHTS prints eight characters. LAMMPS prints the whole name. */
 static const char *make_title(struct tsim *sim, const char *name)
 {
 	const struct ts_keyword *keyword = ts_keyword_find(sim->tables, name);
@@ -23,7 +23,7 @@ static const char *make_title(struct tsim *sim, const char *name)
 
 	if (keyword)
 		return keyword->title;
-	if (name[0] && name[1] == '_')
+	if (name[0] && name[1] == '_' && sim->legacy != TS_LEGACY_LAMMPS)
 		name += 2;
 	snprintf(eight, sizeof eight, "%s", name);
 	return ts_arena_strdup(&sim->thermo->arena, sim->legacy == TS_LEGACY_LIGGGHTS ? eight : name);

@@ -337,6 +337,16 @@ fix books all energy/ledger
 run 2500
 $closes
 print 'near drift \$(v_drift) 0 1e-3'"
+near 'particles shrink' "$pile
+create_atoms 1 single 0.5 0.5 0.3 units box
+set group all diameter 0.1 density 2385
+velocity all set 2 0 1
+fix move all nve/sphere
+fix less all remove nevery 10 massrate 2.0 style shrink delete_below 0.001 seed 5143
+fix books all energy/ledger
+run 300
+$closes
+print 'near moved \$(abs(f_books[9])>0.1) 1 0'"
 near 'clumps' "$pile
 fix one all particletemplate/multisphere 15485863 atom_type 1 density constant 2385 nspheres 2 ntry 10000 spheres 0 0 0 0.05 0.06 0.01 0 0.04 type 1
 fix mix all particledistribution/discrete 15485867 1 one 1.0

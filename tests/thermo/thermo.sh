@@ -38,7 +38,7 @@ printf '  0    7.1550 2.000e+00 2 \n' >row
 table 'formats: column, kind, line' 'thermo_style custom step ke vol atoms
 thermo_modify format float %9.4f format 3 %.3e format int %d format 1 %3d
 run 0' want2
-# titles are as long as the names; with legacy they have eight characters
+# titles are as long as the names; with legacy they have eight characters, with that of LAMMPS the prefix, too
 long='variable goes_on_and_on equal 2.5
 variable goes_farther equal 3.5
 thermo_style custom step v_goes_on_and_on v_goes_farther
@@ -50,6 +50,10 @@ table 'titles beyond the column' "${long//_and_on/_and_on_on}" want
 printf '%8s %14s %14s \n%8d %14.8g %14.8g \n' Step goes_on_ goes_far 0 2.5 3.5 >want
 table 'titles, legacy' "legacy yes
 $long" want
+printf '%8s %16s %14s \n%8d %16.8g %14.8g \n' Step v_goes_on_and_on v_goes_farther 0 2.5 3.5 >want
+table 'titles as those of LAMMPS' "legacy lammps
+${long/run 0/legacy no
+run 0}" want
 printf '%8s %14s \n%6d %5.3f \n' Step KinEng 0 7.155 >want
 table 'formats: line' 'thermo_style custom step ke
 thermo_modify format line "%6d %5.3f"
