@@ -243,27 +243,30 @@ static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, 
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
-/* Warns of bodies earlier in the script that overlap with this one and have another velocity. */
-static enum ts_status warn_overlaps(struct ts_instance *self, struct tsim *sim)
+/* Warns of gaps. Spheres may touch, and columns are checked by their widths. */
+static enum ts_status warn_gap(struct ts_instance *self, struct tsim *sim, const struct ts_instance *part)
 {
-	struct state *s = self->state;
+	struct state *s = self->state, *other = part->state;
+
+	if (s->body == SPHERES || other->body == SPHERES || (part == self && s->field))
+		return TS_OK;
+	return ts_immersed_warn_gap(sim, &self->where, &s->immersed, other->solid, s->fluid,
+				    part == self ? NULL : part->id);
+}
+
+static enum ts_status warn_others(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state, *other;
 	struct ts_instance *part;
-	size_t points;
 
 	for (size_t k = 0;
 	     (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k)) && part != self;) {
-		const struct state *other = part->state;
-
-		if (part->style != self->style || !other->placed)
-			continue;
-		if (ts_immersed_overlap(&other->immersed, &s->immersed, s->fluid, &points) != TS_OK)
-			return ts_nomem(&sim->error);
-		if (points)
-			ts_warn(&sim->log, &self->where,
-				"fix immersed/boundary: the body and that of fix %s overlap with different "
-				"velocities, at %zu points of velocities: the forces on both contain their "
-				"friction",
-				part->id, points);
+		other = part->state;
+		if (part->style == self->style && other->placed) {
+			TS_TRY(warn_gap(self, sim, part));
+			TS_TRY(ts_immersed_warn_overlap(sim, &self->where, &other->immersed, &s->immersed,
+							s->fluid, part->id));
+		}
 	}
 	return TS_OK;
 }
@@ -292,7 +295,8 @@ static enum ts_status check_room(struct ts_instance *self, struct tsim *sim)
 	if (s->field)
 		ts_immersed_warn_columns(sim, &self->where, s->voxels, &s->field->field, &s->fluid->grid);
 	ts_immersed_warn_walls(sim, &self->where, &s->immersed, s->fluid);
-	return warn_overlaps(self, sim);
+	TS_TRY(warn_gap(self, sim, self));
+	return warn_others(self, sim);
 }
 
 static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_search *search)
@@ -742,9 +746,9 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "with d the distance from the surface, v_s the velocity of the surface and l the grid "
 	       "spacing along n: no slip to second order. The grid need not conform to the body, any "
 	       "pressure_style can be used, and bodies may move through the grid. Define the fix after "
-	       "flow_style; use one fix for each body. Points between bodies of two fixes that are nearer "
-	       "than three cells are forced by both, and the order of the fixes divides their forces; the "
-	       "spheres of one fix do not have this.\n\n"
+	       "flow_style; use one fix for each body. If bodies of two fixes are nearer than three cells, "
+	       "the order of the fixes divides their forces. Such a gap, or one within a region or a mesh, "
+	       "is warned of when a run begins, but for spheres.\n\n"
 	       "`region`: the body has the position of the region, including its `move` and `rotate`, and "
 	       "the velocity that follows from its positions in two steps of the fluid. `velocity` and "
 	       "`omega` give the velocity instead: exactly, if formulas for it are known, or for a surface "
@@ -768,10 +772,9 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "that of the displaced fluid, is added to both sides of the equation of motion,\n\n"
 	       "    (m + m_v) a = F + (all other forces) + m_v a',\n\n"
 	       "with a' the mean acceleration over the last step of the fluid. It stabilizes bodies that "
-	       "are as light as the fluid or lighter, with an error of first order in the step. It is "
-	       "applied when all other forces are known, regardless of the order in the script. Bodies "
-	       "whose added mass is more than 4.5 times the mass of the displaced fluid (light ones in "
-	       "narrow channels) need a larger value, or `relax`.\n\n"
+	       "are as light as the fluid or lighter, with an error of first order in the step, whatever "
+	       "the order in the script. Bodies whose added mass is more than 4.5 times the mass of the "
+	       "displaced fluid (light ones in narrow channels) need a larger value, or `relax`.\n\n"
 	       "Equations, order, limits: doc/theory-immersed.md.",
 	.doc_more = doc_more,
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"

@@ -135,9 +135,15 @@ void ts_immersed_warn_columns(struct tsim *sim, const struct ts_place *where, co
  * Warns of walls of which the body covers a part that moves along itself unlike the body. */
 void ts_immersed_warn_walls(struct tsim *sim, const struct ts_place *where, const struct ts_immersed *ib,
 			    const struct ts_fluid *fluid);
-/* Number of points inside two bodies that have different velocities there. Returns TS_OK or TS_NOMEM. */
-enum ts_status ts_immersed_overlap(const struct ts_immersed *a, const struct ts_immersed *b,
-				   const struct ts_fluid *fluid, size_t *points);
+/* Warns of points inside two bodies that have different velocities there; `other`: the fix of body a. */
+enum ts_status ts_immersed_warn_overlap(struct tsim *sim, const struct ts_place *where,
+					const struct ts_immersed *a, const struct ts_immersed *b,
+					const struct ts_fluid *fluid, const char *other);
+/* Warns if a surface of the solid, of fix `other` or (NULL) of the body itself, lies less than about three cells opposite that
+ * of the body: too few for the flow between them. */
+enum ts_status ts_immersed_warn_gap(struct tsim *sim, const struct ts_place *where,
+				    const struct ts_immersed *ib, struct ts_solid *solid,
+				    const struct ts_fluid *fluid, const char *other);
 
 /* ---- immersed_distance.c
  * Lowers distance[k] to that of the surface of any part, or its periodic images, from x[k]: < 0 inside; exact within

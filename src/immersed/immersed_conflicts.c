@@ -1,5 +1,5 @@
 /* Boundaries and bodies that meet in one place with different velocities: no fluid is there, but the force on a
- * body contains their friction. */
+ * body contains their friction. Surfaces that are so near to each other that the grid does not resolve the fluid between them. */
 #include <math.h>
 
 #include "flow/flow_measures.h"
@@ -57,15 +57,16 @@ void ts_immersed_warn_walls(struct tsim *sim, const struct ts_place *where, cons
 				ts_flow_face_names[face], ts_flow_face_names[face]);
 }
 
-enum ts_status ts_immersed_overlap(const struct ts_immersed *a, const struct ts_immersed *b,
-				   const struct ts_fluid *fluid, size_t *points)
+enum ts_status ts_immersed_warn_overlap(struct tsim *sim, const struct ts_place *where,
+					const struct ts_immersed *a, const struct ts_immersed *b,
+					const struct ts_fluid *fluid, const char *other)
 {
 	double *target = ts_alloc(fluid->grid.size, sizeof *target);
 	size_t first, end;
 	int64_t number = 0;
 
 	if (!target)
-		return TS_NOMEM;
+		return ts_nomem(&sim->error);
 	ts_fluid_slabs_values(fluid, &first, &end);
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
 		for (size_t k = first; k < end; k++)
@@ -79,6 +80,108 @@ enum ts_status ts_immersed_overlap(const struct ts_immersed *a, const struct ts_
 	ts_free(target);
 	if (ts_fluid_divided(fluid))
 		ts_world_sum(fluid->slabs->world, &number);
-	*points = (size_t)number;
+	if (number)
+		ts_warn(&sim->log, where,
+			"fix immersed/boundary: the body and that of fix %s overlap with different "
+			"velocities, at %lld points of velocities: the forces on both contain their friction",
+			other, (long long)number);
 	return TS_OK;
+}
+
+/* ---- gaps */
+
+/* Indices of a point, or of a ghost, at an index of a field. */
+static void point_indices(const struct ts_grid *grid, size_t at, int i[3])
+{
+	ptrdiff_t rest = (ptrdiff_t)at - (ptrdiff_t)grid->origin;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		rest += grid->ghosts[d] * grid->stride[d];
+	i[2] = 0;
+	for (int d = grid->dimensions - 1; d >= 0; d--) {
+		i[d] = (int)(rest / grid->stride[d]) - grid->ghosts[d];
+		rest %= grid->stride[d];
+	}
+}
+
+static void sample_position(const struct ts_grid *grid, int component, const struct ts_immersed_sample *s,
+			    double x[3])
+{
+	int i[3];
+
+	point_indices(grid, s->corner, i);
+	for (int d = 0; d < 3; d++) {
+		const double *line = d == component ? grid->face[d] : grid->centre[d];
+
+		x[d] = line[i[d]] + (s->t[d] != 0 ? s->t[d] * (line[i[d] + 1] - line[i[d]]) : 0);
+	}
+}
+
+/* The position that many spacings beyond an outer point, along the normal of the surface. */
+static void position_across(const struct ts_immersed *ib, const struct ts_fluid *fluid, int component,
+			    const struct ts_immersed_outer *b, double spacings, double to[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const struct ts_immersed_sample point = { .corner = ib->point[b->point].at };
+	double x[3], y[3];
+
+	sample_position(grid, component, &point, to);
+	sample_position(grid, component, &b->out[0], x);
+	sample_position(grid, component, &b->out[1], y);
+	for (int d = 0; d < 3; d++) {
+		double step = y[d] - x[d], period = grid->face[d][grid->n[d]] - grid->face[d][0];
+
+		if (grid->periodic[d])
+			step -= period * round(step / period);
+		to[d] += spacings * step;
+	}
+}
+
+/* Whether the point is nearer to the surface than half a spacing. */
+static bool is_near(const struct ts_immersed_outer *b)
+{
+	return b->out[1].count > -0.5 / 2.5;
+}
+
+/* *faces: whether a surface of the solid lies less than about three cells opposite that of the body of `ib`. */
+static enum ts_status find_gap(const struct ts_immersed *ib, struct ts_solid *solid,
+			       const struct ts_fluid *fluid, bool *faces)
+{
+	static const double spacings[] = { 1.5, 2.5 }; /* a body is at least a spacing thick */
+	double(*x)[3] = ts_alloc(2 * ib->nouter + 1, sizeof *x),
+	*distance = ts_alloc(2 * ib->nouter + 1, sizeof *distance);
+	enum ts_status status = x && distance ? TS_OK : TS_NOMEM;
+	size_t n = 0;
+
+	for (int c = 0; status == TS_OK && c < fluid->grid.dimensions; c++)
+		for (size_t k = ib->outer_first[c]; k < ib->outer_first[c + 1]; k++)
+			for (int which = 0; which < 2 && is_near(&ib->outer[k]); which++) {
+				position_across(ib, fluid, c, &ib->outer[k], spacings[which], x[n]);
+				distance[n++] = INFINITY;
+			}
+	if (status == TS_OK)
+		status = ts_immersed_distances(solid, &fluid->grid, n, (const double(*)[3])x,
+					       fluid->grid.width[0][0], distance);
+	*faces = false;
+	for (size_t k = 0; status == TS_OK && k < n; k++)
+		*faces |= distance[k] < 0;
+	*faces = ts_fluid_slabs_most(fluid, *faces) > 0;
+	ts_free(x);
+	ts_free(distance);
+	return status;
+}
+
+enum ts_status ts_immersed_warn_gap(struct tsim *sim, const struct ts_place *where,
+				    const struct ts_immersed *ib, struct ts_solid *solid,
+				    const struct ts_fluid *fluid, const char *other)
+{
+	bool faces;
+	enum ts_status status = find_gap(ib, solid, fluid, &faces);
+
+	if (status == TS_OK && faces)
+		ts_warn(&sim->log, where,
+			"fix immersed/boundary: %s%s are opposite each other with fewer than three cells "
+			"between them: the flow there, and the forces, may be wrong by more than 10 %%",
+			other ? "the body and that of fix " : "surfaces of the body", other ? other : "");
+	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }

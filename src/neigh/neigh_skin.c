@@ -1,4 +1,5 @@
-/* The skin: it affects the cost of a run and, without `legacy`, nothing else. */
+/* The skin: it affects the cost of a run and, without `legacy`, nothing else but the rounding of positions that are wrapped
+ * across periodic faces, at the steps of rebuilds. */
 #include <math.h>
 
 #include "base/clones.h"

@@ -294,6 +294,21 @@ variable xx internal 0
 variable h equal 0.3+0.3*v_xx
 fix rough all surface/voxel formula v_h x xx type 1 cells 40 1
 fix b all immersed/boundary surface rough" ''
+# Gaps of cells 0.1 wide
+gap() { # WHAT WIDTH WORDS: a block and a plate above it
+	warns "$1" "$scene
+region low block INF INF INF INF INF 0.31 units box
+region high block INF INF INF INF $(awk "BEGIN { print 0.31 + $2 }") INF units box
+$3" "$4"
+}
+two='fix b all immersed/boundary region low
+fix c all immersed/boundary region high'
+narrow='opposite each other with fewer than three cells'
+gap 'a gap of 2.8 cells' 0.28 "$two" "the body and that of fix b are $narrow"
+gap 'a gap of one cell' 0.1 "$two" "the body and that of fix b are $narrow"
+gap 'a gap of 3.2 cells' 0.32 "$two" ''
+gap 'a gap in a body' 0.28 'region both union 2 low high
+fix b all immersed/boundary region both' "surfaces of the body are $narrow"
 wafer='region wafer plane 0 0 0.7 0 0 1 units box'
 warns 'bodies that overlap' "$scene
 $wafer
