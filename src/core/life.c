@@ -178,6 +178,7 @@ enum ts_status ts_sim_clear(struct tsim *sim)
 	free_all_instances(sim);
 	set_defaults(sim);
 	sim->era++;
+	ts_review_begin_scene(sim);
 	return start_systems(sim);
 }
 

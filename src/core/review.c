@@ -37,15 +37,22 @@ void ts_review_release(struct ts_review *review)
 
 /* ---- findings ---- */
 
-static uint64_t cause_of(const char *check, const struct ts_place *where, const char *format)
+static uint64_t cause_of(uint64_t scene, const char *check, const struct ts_place *where, const char *format)
 {
 	struct ts_hash hash = ts_hash_start();
 
+	ts_hash_add(&hash, &scene, sizeof scene);
 	ts_hash_text(&hash, check);
 	ts_hash_text(&hash, where && where->file ? where->file : "");
 	ts_hash_add(&hash, where ? &where->line : &(int){ 0 }, sizeof where->line);
 	ts_hash_text(&hash, format);
 	return ts_hash_value(&hash);
+}
+
+/* The same line may clear several scenes in a loop: these are one. */
+void ts_review_begin_scene(struct tsim *sim)
+{
+	sim->review.scene = cause_of(0, "clear", ts_sim_word(sim, 0, NULL), "");
 }
 
 static bool is_reported(const struct ts_review *r, uint64_t cause)
@@ -73,7 +80,7 @@ static enum ts_status record_finding(struct tsim *sim, uint64_t cause, bool *new
 enum ts_status ts_review_report(struct tsim *sim, const char *check, const struct ts_place *where,
 				const char *format, ...)
 {
-	uint64_t cause = cause_of(check, where, format);
+	uint64_t cause = cause_of(sim->review.scene, check, where, format);
 	int k = find_check(sim, check);
 	char text[900];
 	va_list args;

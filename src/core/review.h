@@ -32,6 +32,7 @@ struct ts_review {
 	uint8_t answer[TS_REVIEW_MOST]; /* enum ts_review_answer of each check of the table */
 	uint64_t *reported;		/* hashes (check, place) of the findings reported so far */
 	size_t nreported, reported_capacity;
+	uint64_t scene; /* hash of the place of the last `clear`: findings in another scene are others */
 	bool made;     /* a run has been reviewed */
 	bool stale;    /* -check, -explain: a run before this one was not stepped */
 	bool doubtful; /* -check: a line has failed, so that the scene is not the one intended; no review */
@@ -47,6 +48,8 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps);
 enum ts_status ts_review_search(struct tsim *sim, int64_t steps, bool contacts);
 /* Sets what a finding of the check does; name NULL: of all checks; false: there is no check of that name. */
 bool ts_review_set(struct tsim *sim, const char *name, enum ts_review_answer answer);
+/* Called by the command clear. */
+void ts_review_begin_scene(struct tsim *sim);
 void ts_review_release(struct ts_review *review);
 
 /* Reports a finding, whose text says what was found, with numbers, and what to do. One finding of each

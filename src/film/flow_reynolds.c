@@ -333,10 +333,14 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 		       : evaluate(self, sim, sim->run.in_setup ? TS_FILM_SETUP : TS_FILM_STEP);
 }
 
-/* At the beginning of a run, also of one that resumes with the forces of the last one. */
+/* At the beginning of a run, also of one that resumes with the forces of the last one. After `run N pre no` the first list is
+ * built in a step, which evaluates the film in pre_force. */
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	return ((const struct ts_reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim, TS_FILM_KEEP);
+	const struct ts_reynolds *s = self->state;
+
+	return s->ready || sim->clock.step > sim->clock.first_step ? TS_OK
+								   : evaluate(self, sim, TS_FILM_KEEP);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)

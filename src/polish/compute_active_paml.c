@@ -1,6 +1,7 @@
 /* Compute active/paml: active particles in polishing, found in a simulation of particles, pad, wafer and slurry. */
 #include <math.h>
 
+#include "math/exactsum.h"
 #include "particle/particles.h"
 #include "wall/squeeze.h"
 
@@ -28,6 +29,7 @@ struct count {
 static enum ts_status count(struct ts_instance *self, const struct tsim *sim, struct count *out)
 {
 	struct ts_squeeze *s = self->state;
+	struct ts_exactsum sum = ts_exactsum_start();
 
 	*out = (struct count){ .all = 0 };
 	TS_TRY(ts_squeeze_find_forces(self, s));
@@ -36,9 +38,10 @@ static enum ts_status count(struct ts_instance *self, const struct tsim *sim, st
 
 		out->all += ts_in_group(sim->particles, i, self->group);
 		out->active += force > 0;
-		out->force += force;
+		ts_exactsum_add(&sum, force);
 		out->most = fmax(out->most, force);
 	}
+	out->force = ts_exactsum_value(&sum);
 	return TS_OK;
 }
 

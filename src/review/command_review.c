@@ -50,8 +50,8 @@ const struct ts_command_style ts_command_review = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the treatment of the findings of the review before a run",
 		.doc = "Before the first step of a run the set-up is reviewed for settings that are allowed "
-		       "but usually a mistake. Each finding is printed once per script, as a warning with "
-		       "numbers, the line of the script, a proposed change, and at its end the name of the "
+		       "but usually a mistake. Each finding is printed once per script, and again after "
+		       "`clear`, as a warning with numbers, the line of the script, a proposed change, and at its end the name of the "
 		       "check, such as `(review: overlap)`. `tsim -check` prints the findings without "
 		       "running. doc/review.md describes all checks.\n\n"
 		       "`review error` refuses runs with findings, `review off` makes no checks; both may be "

@@ -143,7 +143,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(dissolve_orphans(sim, r));
 	TS_TRY(ts_rigid_list(sim));
 	TS_TRY(ts_rigid_drop_incomplete(sim));
-	if (r->fresh)
+	if (r->fresh && sim->clock.step == sim->clock.first_step) /* not in a step after `run N pre no` */
 		TS_TRY(ts_rigid_take_velocities(sim));
 	r->fresh = false;
 	if (sim->run.rebuild && r->n)

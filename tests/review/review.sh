@@ -512,6 +512,20 @@ review off overlpa" "unknown check 'overlpa'; did you mean 'overlap'?"
 rejects "$start
 review silent" "answer is 'silent'"
 
+# ---- once per scene: two runs, a loop of scenes that one line clears, and another scene ----
+near="$start
+create_atoms 1 single 0.3 0.5 0.15 units box
+create_atoms 1 single 0.4 0.5 0.15 units box
+set group all diameter 0.2 density 1000
+$law
+fix move all nve/sphere
+$rest"
+printf '%s\n' 'variable k loop 2' 'label scene' clear "$near" 'velocity all set 0 0 0' 'run 10' 'next k' 'jump SELF scene' clear "$near" >in.script
+"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
+report 'scenes: runs' $? out
+[ "$(grep -c '(review: overlap)' run.log)" = 2 ]
+report 'a finding is told once per scene' $? run.log
+
 # ---- every check is provoked here, and told in doc/review.md ----
 sed -n 's/^\t{ "\([a-z_]*\)",.*/\1/p' "$top_srcdir/src/review/table.c" | sort >checks
 sort -u provoked >here

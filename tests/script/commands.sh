@@ -220,6 +220,31 @@ for pre in yes no; do
 done
 [ -s pre.yes ] && cmp pre.yes pre.no && awk '{ ok = $4 > 0 } END { exit !ok }' pre.no
 report 'pre no' $?
+# A film with a content of its own, and a list that is built in the second run.
+film="units si
+boundary p f f
+region box block 0 1 0 0.5 0 0.4 units box
+create_box 1 box
+create_atoms 1 single 0.05 0.25 0.08 units box
+set group all diameter 0.01 density 1500
+set group all vx 0.1
+neighbor 0.001 bin fixed yes
+variable cx internal 0
+variable wafer equal 0.2+0.08*sin(2*PI*v_cx)-0.05*time
+fix pad all surface/voxel gaussian mean 0.03 deviation 0.01 correlation 0.1 seed 31 type 1 cells 40 20 datum 0 move linear 1.1 0 0
+flow_style reynolds cells 40 20 lower_voxel pad upper v_wafer set x cx upper_velocity 0 0 -0.05 upper_stays viscosity 0.1 density 1000 gap stepped &
+	cavitation jfo transient yes cavity_pressure 0 pressure_ylo 0.02
+fix drag all drag/stokes
+fix move all nve
+compute film all film
+timestep 1e-3"
+for pre in yes no; do
+	printf '%s\n' "$film" 'run 20' "run 20 pre $pre" 'print "end $(c_film[1]:%.17g) $(c_film[4]:%.17g)"' >in.script
+	run_script
+	grep '^end' out >"pre.$pre"
+done
+[ -s pre.yes ] && cmp pre.yes pre.no
+report 'pre no: a film' $?
 
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]
