@@ -88,6 +88,20 @@ enum ts_status ts_average_file_end(struct tsim *sim, struct ts_average_file *f)
 	return ts_textfile_flush(&f->out);
 }
 
+enum ts_status ts_average_file_plan(const struct ts_average_file *f, struct tsim *sim, int64_t every,
+				    size_t rows, size_t columns, struct ts_plan_report *report)
+{
+	static const double INDEX = 10, NUMBER = 12; /* characters, with the blank: estimates */
+	const char *path = f->file ? f->file : f->append;
+
+	if (!sim->reading.explain || !path)
+		return TS_OK;
+	return ts_report_output(report, path, f->overwrite ? 1 : ts_report_count(sim, every),
+				(double)rows * (INDEX + NUMBER * (double)columns)) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
+}
+
 void ts_average_file_release(struct ts_average_file *f)
 {
 	ts_textfile_close(&f->out);

@@ -2,6 +2,7 @@
 #ifndef TS_AVERAGE_AVERAGE_FILE_H
 #define TS_AVERAGE_AVERAGE_FILE_H
 
+#include "core/report.h"
 #include "core/sim.h"
 #include "io/format.h"
 #include "io/textfile.h"
@@ -44,6 +45,9 @@ void ts_average_file_place(struct ts_average_file *f, double value);
 enum ts_status ts_average_file_names_done(struct tsim *sim, struct ts_average_file *f);
 /* Writes the block. */
 enum ts_status ts_average_file_end(struct tsim *sim, struct ts_average_file *f);
+/* For the slot `plan`: the size of the file in a run, with a block of rows each `every` steps. */
+enum ts_status ts_average_file_plan(const struct ts_average_file *f, struct tsim *sim, int64_t every,
+				    size_t rows, size_t columns, struct ts_plan_report *report);
 void ts_average_file_release(struct ts_average_file *f);
 
 /* Order of TS_AVERAGE_FILE_ARGS in the manual pages, but for `file`, which is needed. */

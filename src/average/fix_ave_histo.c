@@ -47,5 +47,6 @@ const struct ts_style ts_fix_ave_histo = {
 		[TS_STAGE_SETUP] = ts_histogram_sample,
 		[TS_STAGE_END_OF_STEP] = ts_histogram_sample,
 	},
+	.plan = ts_histogram_plan,
 	.fini = ts_histogram_fini,
 };

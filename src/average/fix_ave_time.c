@@ -259,15 +259,9 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
-	const char *path = s->file.file ? s->file.file : s->file.append;
-	double rows = s->rows > 1 ? (double)s->rows : 1;
 
-	if (!sim->reading.explain || !path)
-		return TS_OK;
-	return ts_report_output(report, path, ts_report_count(sim, s->average.freq),
-				rows * (10 + 12 * (double)s->input.n)) == TS_OK
-		       ? TS_OK
-		       : ts_nomem(&sim->error);
+	return ts_average_file_plan(&s->file, sim, s->average.freq, s->rows > 1 ? (size_t)s->rows : 1,
+				    s->input.n, report);
 }
 
 static enum ts_status eval_array(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)

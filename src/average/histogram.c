@@ -301,6 +301,13 @@ const struct ts_value ts_histogram_values[] = {
 	{ .name = NULL },
 };
 
+enum ts_status ts_histogram_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct ts_histogram *s = self->state;
+
+	return ts_average_file_plan(&s->file, sim, s->average.freq, (size_t)s->bins, 2, report);
+}
+
 void ts_histogram_fini(struct ts_instance *self)
 {
 	struct ts_histogram *h = self->state;

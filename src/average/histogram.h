@@ -46,6 +46,7 @@ enum ts_status ts_histogram_init(struct ts_instance *self, struct tsim *sim);
 /* Stage function for SETUP and END_OF_STEP. */
 enum ts_status ts_histogram_sample(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_histogram_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
+enum ts_status ts_histogram_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 void ts_histogram_fini(struct ts_instance *self);
 
 #endif

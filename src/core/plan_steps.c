@@ -8,7 +8,6 @@
 #include "core/ranks.h"
 #include "core/saver.h"
 #include "core/settings.h"
-#include "core/unclaimed_state.h"
 
 #include "base/banned.h"
 
@@ -147,7 +146,6 @@ enum ts_status ts_plan_stopped(struct tsim *sim)
 
 enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
-	ts_unclaimed_report(sim);
 	TS_TRY(ts_plan_start(plan, sim, setup));
 	if (!sim->reading.explain) {
 		TS_TRY(ts_plan_steps(plan, sim));

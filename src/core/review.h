@@ -33,11 +33,11 @@ struct ts_review {
 	uint64_t *reported;		/* hashes (check, place) of the findings reported so far */
 	size_t nreported, reported_capacity;
 	uint64_t scene; /* hash of the place of the last `clear`: findings in another scene are others */
-	bool made;     /* a run has been reviewed */
-	bool stale;    /* -check, -explain: a run before this one was not stepped */
-	bool doubtful; /* -check: a line has failed, so that the scene is not the one intended; no review */
-	int64_t steps; /* of the run that begins */
-	bool silent;   /* nothing is reported: a finding sets `found` */
+	bool made;	/* a run has been reviewed */
+	bool stale;	/* -check, -explain: a run before this one was not stepped */
+	bool doubtful;	/* -check: a line has failed, so that the scene is not the one intended; no review */
+	int64_t steps;	/* of the run that begins */
+	bool silent;	/* nothing is reported: a finding sets `found` */
 	bool found;
 };
 

@@ -24,9 +24,9 @@ bool ts_unclaimed_is_model(enum ts_kind kind);
 
 /* Writes an instance to a restart file: its present arguments, then its state. */
 enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, struct ts_archive *archive);
-/* Reports once which styles of the restart file the script has not defined again: fixes and computes in the log, a pair,
- * bond or flow style with a warning. */
-void ts_unclaimed_report(struct tsim *sim);
+/* Before a run: defines the pair and bond styles of the restart file that the script has not defined again. Reports once
+ * fixes and computes that it has not, in the log, and a flow style, or a style of an older file, with a warning. */
+enum ts_status ts_unclaimed_complete(struct tsim *sim);
 /* The script has said that it does without styles of this kind (`pair_style none`): they are not reported. */
 void ts_unclaimed_waive(struct tsim *sim, enum ts_kind kind);
 void ts_unclaimed_free(struct tsim *sim);

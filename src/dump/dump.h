@@ -49,7 +49,8 @@ struct ts_dump_common {
 	char **old;	 /* [nold] `maxfiles`: ring buffer of names of the latest files */
 	int64_t nold;
 	/* not saved */
-	int64_t next;		       /* with `variable`: step of the next frame */
+	int64_t next;	 /* with `variable`: step of the next frame */
+	int64_t planned; /* -explain: one more than the last step of the runs before; 0: there are none */
 	struct ts_dump_column *column; /* [ncolumns] */
 	size_t ncolumns;
 	bool local;	/* rows of c_ID and f_ID, not particles */
@@ -137,6 +138,8 @@ enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool lo
 /* Reports number and estimated size (bytes) of frames for -explain; `vtk`: compressed VTK file, else text. */
 enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
 			     struct ts_plan_report *report);
+/* Slot `plan` of dumps of particles as text. */
+enum ts_status ts_dump_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 /* The same for a known size of a frame. */
 enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, double bytes,
 				   struct ts_plan_report *report);

@@ -60,5 +60,6 @@ const struct ts_style ts_dump_atom = {
 	.init = init,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.defers = TS_DEFERS(OUTPUT),
+	.plan = ts_dump_plan,
 	.fini = ts_dump_fini,
 };

@@ -21,11 +21,6 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_frame(self, sim, false);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
-{
-	return ts_dump_price(self, sim, false, false, report);
-}
-
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_REST("columns", struct state, names,
@@ -60,7 +55,7 @@ const struct ts_style ts_dump_custom = {
 	.saved = saved,
 	.archive = ts_dump_archive,
 	.init = init,
-	.plan = plan,
+	.plan = ts_dump_plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.defers = TS_DEFERS(OUTPUT),
 	.fini = ts_dump_fini,

@@ -47,33 +47,42 @@ static double frame_size(struct ts_dump_common *d, bool vtk)
 
 /* Number of frames in the run: multiples of the interval, and the first step if that is one or with
  * `first`. */
-static int64_t count_frames(const struct ts_dump_common *d, const struct tsim *sim)
+static int64_t count_frames(struct ts_dump_common *d, const struct tsim *sim)
 {
 	int64_t step = sim->clock.step;
 	bool now = step % d->every == 0 || (d->first && d->frames == 0);
+	bool written = (d->frames && d->last == step) || d->planned == step + 1;
 
-	return ts_report_count(sim, d->every) + (now && !(d->frames && d->last == step));
+	d->planned = sim->clock.last_step + 1;
+	return ts_report_count(sim, d->every) + (now && !written);
 }
 
-enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, double bytes,
+/* `least`: rows that are not known before the first step are not counted. */
+static enum ts_status price_frames(struct ts_instance *self, struct tsim *sim, double bytes, bool least,
 				   struct ts_plan_report *report)
 {
 	struct ts_dump_common *d = self->state;
 	struct ts_str name = { 0 };
 	enum ts_status status;
 
-	if (!sim->reading.explain || sim->log.quiet)
-		return TS_OK;
-	ts_str_addf(&name, "dump %s %s", self->id, d->file);
+	ts_str_addf(&name, "dump %s %s%s", self->id, d->file, least ? ", at least" : "");
 	status = ts_report_output(report, ts_str_text(&name), count_frames(d, sim), bytes);
 	ts_str_release(&name);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, double bytes,
+				   struct ts_plan_report *report)
+{
+	return sim->reading.explain && !sim->log.quiet ? price_frames(self, sim, bytes, false, report)
+						       : TS_OK;
 }
 
 enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
 			     struct ts_plan_report *report)
 {
 	struct ts_dump_common *d = self->state;
+	bool unknown = false;
 
 	if (!sim->reading.explain || sim->log.quiet)
 		return TS_OK;
@@ -83,6 +92,12 @@ enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool lo
 			return TS_NOMEM;
 		ts_error_clear(&sim->error);
 		d->nrows = 0;
+		unknown = true;
 	}
-	return ts_dump_price_frame(self, sim, frame_size(d, vtk), report);
+	return price_frames(self, sim, frame_size(d, vtk), unknown, report);
+}
+
+enum ts_status ts_dump_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	return ts_dump_price(self, sim, false, false, report);
 }

@@ -67,5 +67,6 @@ const struct ts_style ts_dump_xyz = {
 	.init = init,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.defers = TS_DEFERS(OUTPUT),
+	.plan = ts_dump_plan,
 	.fini = ts_dump_fini,
 };

@@ -62,8 +62,8 @@ static void add_rare_frames(struct trial *t, const double *seconds)
 	}
 }
 
-/* Runs steps for `budget` seconds. *seconds: mean time of a step without the first one, whose data are not
- * in the cache, unless there is time for one only. */
+/* Runs steps for `budget` seconds. *seconds: mean time of a step without the first one, whose data are not in the cache and
+ * whose pages the copy of the process gets, unless the run has one only. */
 static enum ts_status time_steps(struct trial *t, double budget, double *seconds, int64_t *steps)
 {
 	double start = ts_clock(), first = start;
@@ -72,7 +72,7 @@ static enum ts_status time_steps(struct trial *t, double budget, double *seconds
 	*seconds = ts_clock() - first;
 	*steps = 1;
 	first = ts_clock();
-	while (ts_clock() - start < budget && *steps < t->steps) {
+	while (*steps < t->steps && (*steps == 1 || ts_clock() - start < budget)) {
 		TS_TRY(ts_plan_step(t->plan, t->sim));
 		*seconds = (ts_clock() - first) / (double)(*steps)++;
 	}
@@ -137,7 +137,7 @@ static void *run_trial(void *data)
 	double *frames = ts_alloc(t->plan->n[TS_STAGE_OUTPUT] + 1, sizeof *frames);
 
 	t->sim->reading.planned = false; /* values are needed here */
-	t->sim->log.quiet = true;
+	t->sim->log.quiet = t->sim->log.withholds = true;
 	t->sim->log.progress = false;
 	if (!frames || include_omitted(t) != TS_OK || time_run(t, frames) != TS_OK) {
 		t->price = (struct ts_price){ .seconds = NAN };

@@ -237,6 +237,18 @@ static enum ts_status set_unknown(struct ts_operand *out)
 	return TS_OK;
 }
 
+/* Whether [k] is the particle of identity k, as in LAMMPS and LIGGGHTS: of one number for each particle, also in a formula for
+ * each particle, where [k] of several numbers is the k-th. */
+static bool is_of_identity(const struct ts_expr *e, const struct ts_ref *ref, unsigned shapes)
+{
+	const struct ts_value *value = ref->inst ? ts_value_find(ref->inst, TS_PERATOM) : NULL;
+
+	if (!(shapes & (1u << TS_PERATOM)))
+		return false;
+	return e->kind == TS_FORMULA_SCALAR ||
+	       (e->kind == TS_FORMULA_PERATOM && value && ts_value_width(ref->inst, value) == 1);
+}
+
 static enum ts_status read_output(struct ts_expr *e, const char *name, const char *whole, const int64_t k[2],
 				  size_t at, struct ts_operand *out)
 {
@@ -249,8 +261,7 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	e->formulas->reads_all = true;
 	TS_TRY(ts_ref_resolve(e->sim, whole, &place, &ref));
 	shapes = ts_ref_shapes(e->sim, &ref);
-	identity = k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
-		   (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM)));
+	identity = k[0] > 0 && !(shapes & (1u << TS_SCALAR)) && (k[1] > 0 || is_of_identity(e, &ref, shapes));
 	given = has_shape(e, &ref, shapes, identity);
 	e->formulas->misfit |= !given;
 	if (e->sim->reading.dry && given)

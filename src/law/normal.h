@@ -61,12 +61,12 @@ TS_INLINE double ts_hooke_damping(double kn, double mass, double log_restitution
 }
 
 /* Restitution of immersed particles by the Stokes number St: ln e = ln e_max + St_c/St (J. A. Simeonov,
- * J. Calantoni, Granul. Matter 14 (2012) 1). */
+ * J. Calantoni, Granul. Matter 14 (2012) 1). Bounded, as particles that touch may be at rest: e = 0 then. */
 TS_INLINE double ts_viscous_log_restitution(const struct ts_granular_pair *c, const struct ts_touch *t)
 {
 	double stokes = t->m_eff * t->vn / (6 * TS_PI * c->viscosity * t->r_eff * t->r_eff);
 
-	return log(c->largest_restitution) + c->critical_stokes / stokes;
+	return fmax(-1e8, fmin(log(c->largest_restitution) + c->critical_stokes / stokes, 1e8));
 }
 
 TS_INLINE void ts_normal_hooke(const struct ts_granular_model *m, const struct ts_granular_pair *c,

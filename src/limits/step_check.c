@@ -44,14 +44,14 @@ bool ts_step_check_is_due(const struct ts_step_check *c, const struct tsim *sim)
 	return sim->clock.step % c->every == 0;
 }
 
-/* Largest speed of the nodes of all meshes. */
-static double largest_mesh_speed(const struct tsim *sim)
+/* Largest speed of the nodes of all meshes, as in LIGGGHTS without those that stay in place while their surface moves. */
+static double largest_mesh_speed(const struct tsim *sim, bool legacy)
 {
 	const struct ts_mesh_surface *s;
 	double most = 0;
 
 	for (size_t k = 0; (s = ts_mesh_surface_next(sim, &k, NULL));)
-		for (size_t t = 0; s->v && t < s->mesh.n; t++)
+		for (size_t t = 0; s->v && (s->home || !legacy) && t < s->mesh.n; t++)
 			for (int c = 0; c < 3; c++)
 				most = fmax(most, ts_norm(s->v[t][c]));
 	return most;
@@ -62,7 +62,7 @@ double ts_step_check_speed(const struct ts_instance *self, const struct tsim *si
 {
 	double v = fmax(ts_prescribed_max_speed(sim, self->group), c->vmax);
 
-	return fmax(2 * v, v + largest_mesh_speed(sim));
+	return fmax(2 * v, v + largest_mesh_speed(sim, c->legacy || sim->legacy == TS_LEGACY_LIGGGHTS));
 }
 
 /* Whether a warning is to be given. */

@@ -465,7 +465,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	if (nb->skip_bonded)
 		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");
 	ts_report_left_out(report, "rebuilds", TS_FULL_REBUILDS, 0,
-			   "the list is kept until a particle has moved half the skin");
+			   "the list is kept until a particle has moved half the skin%s",
+			   is_periodic(&sim->domain->box)
+				   ? " (steps of rebuilds change the last digits where "
+				     "particles cross periodic faces)"
+				   : "");
 	ts_report_left_out(report, "looks", TS_FULL_ACTIVE_PAIRS, 0,
 			   "only pairs that may have come near enough to touch are computed");
 	if (!is_periodic(&sim->domain->box))

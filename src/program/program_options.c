@@ -97,7 +97,7 @@ static const struct ts_program_option options[NOPTIONS] = {
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
 	[OPT_RANKS] = { "ranks", "N", "with -explain or -check: as if mpirun started N ranks", 1 },
 	[OPT_FULL] = { "full", "[PART ...]",
-		       "no optimizations that -explain lists as omitted: slower, same results", 0 },
+		       "no optimizations that -explain lists as omitted: slower", 0 },
 	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]", "measure cost and effect of settings on the script",
 			 0 },
 	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",

@@ -117,14 +117,14 @@ static void add_ending(struct ts_page *page)
 			[TS_RECORD_FAILED] = { "off", "failed" },
 			[TS_RECORD_STOPPED] = { "warn", "interrupted" } };
 	const struct ts_record *r = page->record;
-	const size_t off = count_verdicts(r, " off");
+	const size_t ok = count_verdicts(r, " ok"), off = count_verdicts(r, " off");
 	struct ts_str *out = &page->out;
 
 	ts_str_addf(out, "<p><span class=\"badge %s\">%s</span> ", endings[r->end].sort,
 		    endings[r->end].word);
-	if (r->results.n)
+	if (ok + off > 0)
 		ts_str_addf(out, "<span class=\"badge %s\">%zu of %zu results ok</span> ", off ? "off" : "ok",
-			    count_verdicts(r, " ok"), r->results.n);
+			    ok, ok + off);
 	if (r->warnings.n)
 		ts_str_addf(out, "<span class=\"badge warn\">%zu warning%s</span>", r->warnings.n,
 			    r->warnings.n == 1 ? "" : "s");

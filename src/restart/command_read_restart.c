@@ -59,7 +59,8 @@ const struct ts_command_style ts_command_read_restart = {
 		.doc = "Replaces create_box. Box, particles, groups, bonds, contacts, clock, and units are "
 		       "restored at once. The script defines its styles again; each style whose kind, name "
 		       "and ID match gets its state back, including the coefficients of pair and bond styles. "
-		       "A damaged file is an error and changes nothing.",
+		       "A pair or bond style that is not defined again when a run begins is that of the file, "
+		       "unless the script says `pair_style none`. A damaged file is an error and changes nothing.",
 		.example = "read_restart rock.restart\nread_restart rock.*.restart",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -18,9 +18,10 @@ static const struct ts_arg if_args[] = {
 	TS_ARGS_END
 };
 
-static bool is_bare_word(const struct ts_word *word, const char *text)
+/* Also in quotes, which LIGGGHTS and LAMMPS take off first. */
+static bool is_word(const struct ts_word *word, const char *text)
 {
-	return !word->quoted && ts_streq(word->text, text);
+	return ts_streq(word->text, text);
 }
 
 static enum ts_status evaluate_condition(struct ts_script *script, const struct ts_word *word,
@@ -38,7 +39,7 @@ static enum ts_status evaluate_condition(struct ts_script *script, const struct 
 /* Index of the first word at or behind k that is elif or else. */
 static size_t find_branch_end(struct ts_words words, size_t k)
 {
-	while (k < words.n && !is_bare_word(&words.word[k], "elif") && !is_bare_word(&words.word[k], "else"))
+	while (k < words.n && !is_word(&words.word[k], "elif") && !is_word(&words.word[k], "else"))
 		k++;
 	return k;
 }
@@ -57,16 +58,16 @@ enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const
 	if (words.n < 3)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "expected: if \"condition\" then \"command\" ...");
-	if (!is_bare_word(&word[1], "then"))
+	if (!is_word(&word[1], "then"))
 		return ts_fail(&sim->error, TS_SYNTAX, &word[1].place,
 			       "expected 'then' after the condition, found '%s' (a condition with blanks "
 			       "needs quotes)",
 			       word[1].text);
 	for (size_t k = 0, end; k < words.n; k = end) {
-		bool otherwise = is_bare_word(&word[k], "else");
+		bool otherwise = is_word(&word[k], "else");
 		size_t first = k == 0 ? 2 : k + 2 - otherwise;
 
-		if (first < words.n && k && !otherwise && is_bare_word(&word[first], "then"))
+		if (first < words.n && k && !otherwise && is_word(&word[first], "then"))
 			first++;
 		end = find_branch_end(words, first);
 		if ((first >= words.n || end == first) && !(otherwise && k))
@@ -126,7 +127,7 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 	TS_TRY(ts_script_of(sim, where, &script));
 	TS_TRY(ts_condition_words(sim, words, where));
 	while (k < words.n) {
-		bool otherwise = is_bare_word(&words.word[k], "else");
+		bool otherwise = is_word(&words.word[k], "else");
 		enum ts_truth yes = TS_YES;
 		size_t test = k == 0 ? 0 : k + 1, first = otherwise ? k + 1 : test + 1;
 
@@ -135,7 +136,7 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 			if (sim->reading.check && (status != TS_OK || yes != TS_OPEN))
 				TS_TRY(check_all_branches(script, words, &read, status));
 			TS_TRY(status);
-			first += is_bare_word(&words.word[first], "then");
+			first += is_word(&words.word[first], "then");
 		}
 		if (yes != TS_NO && first >= words.n)
 			return fail_no_command(sim, &words.word[k]);

@@ -93,6 +93,20 @@ static enum ts_status widen(struct ts_study_runs *r, struct ts_study_run *run, s
 	return TS_OK;
 }
 
+/* Whether another column than a result has this name. */
+static bool is_taken(const struct ts_study_runs *r, const char *name)
+{
+	bool taken = false;
+
+	for (size_t k = 0; k < FRONT; k++)
+		taken |= ts_streq(front[k], name);
+	for (size_t k = 0; k < MIDDLE; k++)
+		taken |= ts_streq(middle[k], name);
+	for (size_t k = 0; k < r->variables; k++)
+		taken |= ts_streq(r->variable[k], name);
+	return taken;
+}
+
 enum ts_status ts_study_runs_set_result(struct ts_study_runs *r, const char *name, const char *value,
 					struct ts_error *err)
 {
@@ -104,7 +118,7 @@ enum ts_status ts_study_runs_set_result(struct ts_study_runs *r, const char *nam
 	ts_str_add(&numbered, name);
 	for (int again = 2;; again++) {
 		k = ts_study_runs_result(r, ts_str_text(&numbered));
-		if (k >= run->results || !*run->result[k])
+		if ((k >= run->results || !*run->result[k]) && !is_taken(r, ts_str_text(&numbered)))
 			break;
 		ts_str_clear(&numbered);
 		ts_str_addf(&numbered, "%s_%d", name, again);

@@ -36,7 +36,8 @@ enum ts_status ts_study_runs_add_variable(struct ts_study_runs *runs, const char
 /* Adds a row; texts are copied. Results are set afterwards. */
 enum ts_status ts_study_runs_add(struct ts_study_runs *runs, const struct ts_study_run *run,
 				 struct ts_error *err);
-/* Sets a result of the last row; a name that it has already gets a number: NAME_2. */
+/* Sets a result of the last row; a name that it has already, or that another column has, gets a number:
+ * NAME_2. */
 enum ts_status ts_study_runs_set_result(struct ts_study_runs *runs, const char *name, const char *value,
 					struct ts_error *err);
 /* Index of a result; SIZE_MAX: no run has it. */

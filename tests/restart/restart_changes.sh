@@ -57,13 +57,37 @@ printf 'read_restart first.restart\npair_style spring/dashpot\nfix g all gravity
 "$TSIM" -in in.few -log few.log -screen none 2>err
 [ "$(grep -c 'not defined again so far: .*fix other (vector)' few.log)" = 1 ]
 report 'what is not used is said once' $? few.log
-printf 'read_restart first.restart\nfix g all gravity 9.81 vector 0 0 -1\nrun 0\nrun 0\n' >in.fewer
-"$TSIM" -in in.fewer -log fewer.log -screen none
-[ "$(grep -c 'written with pair_style spring/dashpot, which is not defined again' fewer.log)" = 1 ]
-report 'a run without the pair style of the file' $? fewer.log
-sed -i 's/^fix g/pair_style none\n&/' in.fewer
-"$TSIM" -in in.fewer -log fewer.log -screen none
-! grep 'pair_style.*which is not defined again' fewer.log
+# Pair and bond styles that are not defined again are those of the file.
+cat >in.pair <<'END'
+units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 2 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 2 single 0.59 0.5 0.5 units box
+set group all diameter 0.1 density 1000
+set atom 1 vy 0.1
+pair_style gran/hertz/history 1e5 NULL 50 NULL 0.5 1
+pair_coeff * *
+fix go all nve/sphere
+timestep 1e-5
+run 20
+write_restart pair.restart
+END
+"$TSIM" -in in.pair -log none >out 2>&1
+report 'a pair style' $? out
+rest='fix go all nve/sphere
+run 30
+write_dump all custom end.dump id x y z vx vy vz omegax modify format float %.17g'
+printf '%s\n' 'read_restart pair.restart' 'pair_style gran/hertz/history 1e5 NULL 50 NULL 0.5 1' "$rest" >in.again
+"$TSIM" -in in.again -log none >out 2>&1 && mv end.dump with.dump
+report 'it is defined again' $? out
+printf '%s\n' 'read_restart pair.restart' "$rest" 'run 0' >in.fewer
+"$TSIM" -in in.fewer -log fewer.log -screen none && [ "$(grep -c 'Restoring pair_style gran/hertz/history from the restart file' fewer.log)" = 1 ]
+report 'it is not defined again' $? fewer.log
+same 'it is that of the file' with.dump end.dump
+sed -i 's/^fix go/pair_style none\n&/' in.fewer
+"$TSIM" -in in.fewer -log fewer.log -screen none && ! grep 'pair_style.*from the restart file' fewer.log && ! cmp with.dump end.dump >out
 report 'pair_style none' $? fewer.log
 
 # what the state does not depend on may change, and the log says so
