@@ -305,7 +305,8 @@ enum ts_status ts_histogram_plan(struct ts_instance *self, struct tsim *sim, str
 {
 	const struct ts_histogram *s = self->state;
 
-	return ts_average_file_plan(&s->file, sim, s->average.freq, (size_t)s->bins, 2, report);
+	/* place, count and fraction of most bins are short */
+	return ts_average_file_plan(&s->file, sim, s->average.freq, (size_t)s->bins, 1, report);
 }
 
 void ts_histogram_fini(struct ts_instance *self)

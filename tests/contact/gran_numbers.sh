@@ -92,4 +92,37 @@ rejects "${start}create_atoms 1 single 0.5 0.5 0.5
 pair_style gran/hooke 1e5 NULL 1 NULL 0.5 1
 fix m all nve/sphere
 run 1" 'there is no `pair_coeff 1 1'
+
+# Immersed particles that touch at rest: restitution 0, and the elastic force alone.
+agree 'viscous at rest' 'units si
+atom_style granular
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 1 single 0.509 0.5 0.5 units box
+set group all diameter 0.01 density 2500
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.7
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+fix m5 all property/global characteristicVelocity scalar 1
+fix m6 all property/global FluidViscosity peratomtypepair 1 1
+fix m7 all property/global CriticalStokes peratomtypepair 1 10
+fix m8 all property/global MaximumRestitution peratomtypepair 1 0.9
+fix go all nve/sphere
+timestep 1e-6
+pair_style gran model hooke tangential history viscous on
+pair_coeff * *
+run 0
+variable f equal fx[2]
+variable wet equal ${f}
+pair_style gran model hooke tangential history
+pair_coeff * *
+run 0
+print "is force ${wet} $(fx[2])"
+pair_style gran model hooke tangential history viscous on
+pair_coeff * *
+run 20
+print "is finite $(ke>0) 1"'
 finish

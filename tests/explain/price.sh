@@ -21,8 +21,12 @@ dump v all custom/vtk 50 post/v*.vtp id type vx vy vz radius
 compute e all ke
 fix p all print 10 "$(step) $(c_e:%12.6g)" file post/p.txt
 fix t all ave/time 10 1 10 c_e ke file post/t.txt
+dump c all atom 25 post/c.atom
+dump d all xyz 25 post/d.xyz
+fix h all ave/histo 10 1 10 -1 1 40 vx file post/h.txt
 restart 50 post/a.restart post/b.restart
-run 100
+run 50
+run 50
 END
 
 "$TSIM" -explain -in in.price >out 2>err
@@ -55,7 +59,7 @@ near() {
 	shift
 	told=$(awk -v name="$name" '$0 ~ name && / times / {
 		unit["bytes"] = 1; unit["kB"] = 1e3; unit["MB"] = 1e6
-		print $(NF-3) * $(NF-1) * unit[$NF] }' out)
+		sum += $(NF-3) * $(NF-1) * unit[$NF] } END { print sum }' out)
 	real=$(cat "$@" | wc -c)
 	awk -v told="$told" -v real="$real" 'BEGIN { exit !(told < 1.5 * real && real < 1.5 * told) }'
 	report "$name: told $told, found $real" $? out
@@ -63,6 +67,18 @@ near() {
 near 'dump a ' post/a*.dump
 near 'dump b ' post/b.dump
 near 'dump v ' post/v*.vtp
+near 'dump c ' post/c.atom
+near 'dump d ' post/d.xyz
+near 'post/h.txt' post/h.txt
+# No frame is counted twice where one run ends and the next one begins.
+told=$(awk '/ dump c / && / times / { n += $(NF-3) } END { print n }' out)
+[ "$told" = "$(grep -c TIMESTEP post/c.atom)" ]
+report "frames: told $told" $? out
+# What would happen in the steps that are tried is not told.
+sed 's/boundary p p p/boundary f f f/; s/^velocity.*/velocity all set 0 0 1e4/; /^pair_/d; /^dump/d; /^fix [pth]/d; /^restart/d' in.price >in.leaving
+"$TSIM" -explain -in in.leaving >leaving 2>&1
+grep -q '^duration' leaving && ! grep -q 'left the box' leaving
+report 'no warnings of trial steps' $? leaving
 near 'post/p.txt' post/p.txt
 near 'post/t.txt' post/t.txt
 near 'post/a.restart' post/a.restart post/b.restart

@@ -84,6 +84,17 @@ fix tl all check/timestep/gran 1 0.1 0.1 legacy yes
 run 1
 print \"is hertz \$(f_ts[2]) 0\"
 print \"is legacy \$(f_tl[2]*1e10:%.17g) 1\""
+printf 'solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 -0.9\nvertex 0.5 0 -0.9\nvertex 0 0.5 -0.9\nendloop\nendfacet\nendsolid\n' >belt.stl
+agree 'a belt: the legacy formula looks at meshes that move only' "include in.two
+$law
+set atom 2 vx 0
+fix belt all mesh/surface file belt.stl type 1 surface_vel 3 0 0
+fix wall all wall/gran model hertz tangential history mesh n_meshes 1 meshes belt
+fix ts all check/timestep/gran 1 0.1 0.1
+fix tl all check/timestep/gran 1 0.1 0.1 legacy yes
+run 1
+print \"is moving \$(f_ts[2]>1e-6) 1\"
+print \"is legacy \$(f_tl[2]*1e10:%.17g) 1\""
 prints "include in.two
 $law
 fix ts all check/timestep/gran 1 0.01 0.003

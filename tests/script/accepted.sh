@@ -224,4 +224,30 @@ sed -n '/^7000$/,$p' whole.dump >expected
 sed -n '/^7000$/,$p' rest.dump >found
 same 'streams remember after a restart' expected found
 rejects "$(sed 's/stream\[14\]/stream[15]/' in.whole)" 'release_fix_insert_stream'
+
+# [k] of one number for each particle is that of the particle k, of several numbers the k-th.
+grains='units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.2 0.5 0.5 units box
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 1 single 0.8 0.5 0.5 units box
+set group all diameter 0.1 density 1000
+fix go all nve/sphere
+timestep 1e-5'
+agree 'c_ID[k] in formulas for each particle' "$grains
+compute one all property/atom x
+compute two all property/atom x y
+variable k atom c_one[3]+10*c_one
+variable col atom c_two[1]
+variable other atom c_two[2][1]
+variable e equal c_one[3]
+compute s all reduce sum v_k v_col v_other
+run 0
+print \"is one \$(c_s[1]) 17.4\"
+print \"is two \$(c_s[2]) 1.5\"
+print \"is other \$(c_s[3]) 1.5\"
+print \"is equal \$(v_e) 0.8\""
+prints 'if "1 == 2" "then" "print no" "elif" "2 == 2" "print yes" "else" "print neither"' yes
 finish

@@ -44,6 +44,10 @@ report 'means and standard errors' $? results/summary.csv
 [ "$(cell ',2,3,4,0,' z results/runs.csv)" = 6 ] && [ "$(cell ',2,3,4,0,' STUDY_2 results/runs.csv)" = 7 ] &&
 	[ "$(cell ',2,3,4,0,' twice_2 results/runs.csv)" = 2 ] && [ "$(cell ',2,3,4,0,' off results/runs.csv)" = 1 ]
 report 'the columns of a run' $? results/runs.csv
+mkdir names && (cd names && printf 'variable mu index 0.1\nprint "STUDY mu=$(2*v_mu) off=3"\n' >in.names &&
+	"$TSIM" -sweep mu=0.25,0.5 -in in.names -j 1 >out 2>&1)
+[ "$(cell ',0.25,0,' mu_2 names/results/runs.csv) $(cell ',0.25,0,' off_2 names/results/runs.csv)" = '0.5 3' ]
+report 'results that have the name of another column' $? names/results/runs.csv
 [ "$(cat "results/$(cell ',2,3,4,0,' run results/runs.csv)/a.txt")" = 2 ] && [ -s results/1/log ] && [ ! -e post ]
 report 'each run has a folder' $?
 [ "$(grep -c '<text[^>]*>b [248]</text>' results/summary.svg)" = 15 ] && grep -q '>in.power<' results/summary.svg &&
