@@ -358,6 +358,8 @@ library_sources = \
 	src/core/ref_list.h \
 	src/core/report.c \
 	src/core/report.h \
+	src/core/restored_models.c \
+	src/core/restored_models.h \
 	src/core/review.c \
 	src/core/review.h \
 	src/core/saver.c \

@@ -5,7 +5,6 @@
 #include "base/clock.h"
 #include "core/ranks.h"
 #include "core/ref_list.h"
-#include "core/unclaimed_state.h"
 #include "core/uses.h"
 #include "core/written_files.h"
 
@@ -110,7 +109,6 @@ static enum ts_status refuse_retired(struct tsim *sim)
 
 enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 {
-	TS_TRY(ts_sim_defer_error(sim, ts_unclaimed_complete(sim)));
 	if (sim->recorder)
 		TS_TRY(ts_sim_defer_error(sim, sim->recorder->begin(sim->recorder, sim)));
 	for (int stage = 0; stage < TS_NSTAGE; stage++)

@@ -1,6 +1,7 @@
 #include "core/stepping.h"
 
 #include "core/fingerprint.h"
+#include "core/restored_models.h"
 
 #include "base/banned.h"
 
@@ -53,6 +54,7 @@ static enum ts_status begin_run(struct ts_stepping *stepping, struct tsim *sim, 
 	sim->clock.last_step = sim->clock.ramp_last = sim->clock.step + n;
 	sim->run.unsafe = false;
 	sim->run.in_pieces = stepping->open = true;
+	TS_TRY(ts_restore_models(sim));
 	TS_TRY(ts_plan_compile(&stepping->plan, sim));
 	return ts_plan_start(&stepping->plan, sim, true);
 }

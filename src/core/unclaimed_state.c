@@ -6,7 +6,6 @@
 #include "base/str.h"
 #include "core/arg_change.h"
 #include "core/group.h"
-#include "core/life.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -212,86 +211,46 @@ static bool is_defined(const struct tsim *sim, enum ts_kind kind)
 	return sim->instances[kind].n > 0;
 }
 
-/* Defines the style by its words in the restart file. `lines`: they, which are cut at their ends. */
-static enum ts_status make_again(struct tsim *sim, enum ts_kind kind, char *lines)
+/* Reads the words of the style; nothing is added if the file is of an older version. */
+static enum ts_status read_words(struct tsim *sim, const struct ts_unclaimed *p, struct ts_str *lines)
 {
-	const struct ts_place *at = ts_sim_word(sim, 0, NULL);
-	const struct ts_place place = at ? *at : (struct ts_place){ 0 };
-	struct ts_word *word = ts_alloc(strlen(lines) + 1, sizeof *word);
-	size_t n = 0;
+	struct ts_archive *archive = ts_archive_new(sim, false);
+	const char *text;
 	enum ts_status status;
 
-	if (!word)
-		return ts_nomem(&sim->error);
-	for (char *end = lines; end; lines = end + 1) {
-		end = strchr(lines, '\n');
-		if (end)
-			*end = '\0';
-		word[n++] = (struct ts_word){ .text = lines, .place = place };
-	}
-	ts_log(&sim->log, "Restoring %s_style %s from the restart file\n", ts_kind_name(kind), word[0].text);
-	status = ts_sim_choose(sim, kind, (struct ts_words){ word, n }, &place);
-	ts_free(word);
-	return status;
-}
-
-/* *made: the style was defined by its words. Files of older versions do not have them. */
-static enum ts_status restore_model(struct tsim *sim, const struct ts_unclaimed *p, bool *made)
-{
-	struct ts_archive *archive = is_made_again(p->kind) ? ts_archive_new(sim, false) : NULL;
-	struct ts_str lines = { 0 };
-	const char *text;
-	enum ts_status status = TS_OK;
-
-	*made = false;
-	if (!is_made_again(p->kind))
-		return TS_OK;
 	if (!archive)
 		return ts_nomem(&sim->error);
 	status = ts_archive_from(archive, p->bytes, p->n);
 	if (status == TS_OK && ts_archive_has(archive, words_field)) {
 		status = ts_archive_string(archive, words_field, &text);
-		*made = status == TS_OK;
+		if (status == TS_OK)
+			ts_str_add(lines, text);
 	}
-	if (*made)
-		ts_str_add(&lines, text);
 	ts_archive_free(archive);
-	if (lines.failed)
-		status = ts_nomem(&sim->error);
-	if (status == TS_OK && *made)
-		status = make_again(sim, p->kind, lines.text);
-	ts_str_release(&lines);
-	return status;
+	return lines->failed ? ts_nomem(&sim->error) : status;
 }
 
-/* The first model that the script has not defined again, and of which nothing has been said; NULL: there is none. */
-static struct ts_unclaimed *next_model(const struct tsim *sim)
+enum ts_status ts_unclaimed_model(struct tsim *sim, enum ts_kind *kind, struct ts_str *lines)
 {
-	for (struct ts_unclaimed *p = sim->unclaimed; p; p = p->next)
-		if (!p->reported && ts_unclaimed_is_model(p->kind) && !is_defined(sim, p->kind))
-			return p;
-	return NULL;
-}
-
-/* Pair and bond styles that the script has not defined again are restored, as by LIGGGHTS and LAMMPS. */
-static enum ts_status complete_models(struct tsim *sim)
-{
-	struct ts_unclaimed *p;
-	bool made;
-
-	while ((p = next_model(sim))) {
+	ts_str_clear(lines);
+	for (struct ts_unclaimed *p = sim->unclaimed; p; p = p->next) {
+		if (p->reported || !ts_unclaimed_is_model(p->kind) || is_defined(sim, p->kind))
+			continue;
 		p->reported = true;
-		TS_TRY(restore_model(sim, p, &made)); /* p has been freed if it was made */
-		if (!made)
-			ts_warn(&sim->log, NULL,
-				"the restart file was written with %s_style %s, which is not defined again: "
-				"this run is without it",
-				ts_kind_name(p->kind), p->style);
+		*kind = p->kind;
+		if (is_made_again(p->kind))
+			TS_TRY(read_words(sim, p, lines));
+		if (lines->length)
+			return TS_OK;
+		ts_warn(&sim->log, NULL,
+			"the restart file was written with %s_style %s, which is not defined again: this "
+			"run is without it",
+			ts_kind_name(p->kind), p->style);
 	}
 	return TS_OK;
 }
 
-static void report_outputs(struct tsim *sim)
+void ts_unclaimed_report(struct tsim *sim)
 {
 	const char *before = "Saved in the restart file, but not defined again so far: ";
 
@@ -304,13 +263,6 @@ static void report_outputs(struct tsim *sim)
 	}
 	if (*before == ',')
 		ts_log(&sim->log, "\n");
-}
-
-enum ts_status ts_unclaimed_complete(struct tsim *sim)
-{
-	TS_TRY(complete_models(sim));
-	report_outputs(sim);
-	return TS_OK;
 }
 
 void ts_unclaimed_free(struct tsim *sim)

@@ -3,6 +3,7 @@
 #ifndef TS_CORE_UNCLAIMED_STATE_H
 #define TS_CORE_UNCLAIMED_STATE_H
 
+#include "base/str.h"
 #include "core/style.h"
 
 /* Stores a copy of the block for the style of this kind, name and id. */
@@ -24,9 +25,11 @@ bool ts_unclaimed_is_model(enum ts_kind kind);
 
 /* Writes an instance to a restart file: its present arguments, then its state. */
 enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, struct ts_archive *archive);
-/* Before a run: defines the pair and bond styles of the restart file that the script has not defined again. Reports once
- * fixes and computes that it has not, in the log, and a flow style, or a style of an older file, with a warning. */
-enum ts_status ts_unclaimed_complete(struct tsim *sim);
+/* Style and arguments, one a line, of the next pair or bond style that the script has not defined again; empty: there is none.
+ * Each is given once. A flow style, or a style of a file of an older version, is reported instead, with a warning. */
+enum ts_status ts_unclaimed_model(struct tsim *sim, enum ts_kind *kind, struct ts_str *lines);
+/* Reports once, in the log, which fixes and computes of the restart file the script has not defined again. */
+void ts_unclaimed_report(struct tsim *sim);
 /* The script has said that it does without styles of this kind (`pair_style none`): they are not reported. */
 void ts_unclaimed_waive(struct tsim *sim, enum ts_kind kind);
 void ts_unclaimed_free(struct tsim *sim);

@@ -1,6 +1,7 @@
 /* Command rerun: computes forces and output for the frames of dumps. */
 #include "base/clock.h"
 #include "core/plan.h"
+#include "core/restored_models.h"
 #include "io/series.h"
 #include "restart/frames.h"
 
@@ -103,6 +104,7 @@ static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_p
 	sim->clock.base_step = 0;
 	sim->clock.base_time = 0;
 	sim->clock.last_step = c->stop >= 0 ? c->stop : INT64_MAX;
+	TS_TRY(ts_restore_models(sim));
 	TS_TRY(ts_plan_compile(plan, sim));
 	if (sim->reading.explain)
 		return TS_OK;

@@ -6,6 +6,7 @@
 #include "base/clock.h"
 #include "core/ranks.h"
 #include "core/ranks_pause.h"
+#include "core/restored_models.h"
 #include "neigh/neigh.h"
 #include "particle/division.h"
 #include "particle/particles.h"
@@ -98,6 +99,7 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 	sim->run.unsafe = r->unsafe;
 	if (sim->reading.explain && sim->script_api)
 		TS_TRY(sim->script_api->planned(sim->script_api_data, r->where, steps));
+	TS_TRY(ts_sim_defer_error(sim, ts_restore_models(sim)));
 	TS_TRY(ts_plan_compile(plan, sim));
 	TS_TRY(ts_plan_run(plan, sim, r->pre));
 	steps = sim->clock.step - sim->clock.first_step; /* fix halt may have ended it early */
