@@ -705,6 +705,8 @@ library_sources = \
 	src/group/compute_ke.c \
 	src/group/compute_temp.c \
 	src/group/compute_temp_com.c \
+	src/group/compute_temp_partial.c \
+	src/group/compute_temp_region.c \
 	src/group/compute_temp_sphere.c \
 	src/group/group_dynamic.c \
 	src/group/group_dynamic.h \

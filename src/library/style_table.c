@@ -194,6 +194,8 @@ TS_STYLE(compute, ts_style, ts_compute_temp_chunk)
 TS_STYLE(compute, ts_style, ts_compute_temp_com)
 TS_STYLE(compute, ts_style, ts_compute_temp_granular)
 TS_STYLE(compute, ts_style, ts_compute_temp_granular_chunk)
+TS_STYLE(compute, ts_style, ts_compute_temp_partial)
+TS_STYLE(compute, ts_style, ts_compute_temp_region)
 TS_STYLE(compute, ts_style, ts_compute_temp_sphere)
 TS_STYLE(compute, ts_style, ts_compute_torque_chunk)
 TS_STYLE(compute, ts_style, ts_compute_vacf)
@@ -550,6 +552,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_temp_com,
 	&ts_compute_temp_granular,
 	&ts_compute_temp_granular_chunk,
+	&ts_compute_temp_partial,
+	&ts_compute_temp_region,
 	&ts_compute_temp_sphere,
 	&ts_compute_torque_chunk,
 	&ts_compute_vacf,

@@ -39,6 +39,33 @@ print 'is turn \$(c_turn) \$(2*c_e/(3*40-7.5))'
 print 'is still \$(c_still) \$(2*c_e/(3*40))'
 print 'is xz \$(c_spin[5]-c_turn[5]) \$(c_all[5])'
 print 'is rotation \$(c_turn[5]) \$(10*0.4*2.385*0.05^2*0.3*0.7)'"
+agree 'some axes, and a region' "$gas
+region half block 0 5 INF INF INF INF
+group half region half
+compute across low temp/partial 0 1 1
+compute none all temp/partial 0 0 0
+compute half all temp/region half
+compute same half temp
+compute both low temp/region half
+variable yy atom mass*vy^2
+variable zz atom mass*vz^2
+compute sum low reduce sum v_yy v_zz
+run 0
+print 'is across \$(c_across) \$((c_sum[1]+c_sum[2])/(2*9))'
+print 'is yy \$(c_across[2]) \$(c_sum[1])'
+print 'is xx \$(c_across[1]+c_across[4]+c_none) 0'
+print 'is half \$(c_half) \$(c_same)'
+print 'is xz \$(c_half[5]) \$(c_same[5])'
+compute_modify across extra 6
+compute_modify half extra 0
+print 'is extra \$(c_across) \$((c_sum[1]+c_sum[2])/(20-4))'
+print 'is all \$(c_half) \$((c_half[1]+c_half[2]+c_half[3])/(3*count(half)))'
+print 'is fewer \$(c_both[1]<c_half[1]) 1'"
+rejects "dimension 2
+boundary p p p
+region b block 0 1 0 1 -0.5 0.5
+create_box 1 b
+compute c all temp/partial 1 0 1" 'in two dimensions there is no motion along z'
 agree 'keywords by computes' "$gas
 variable before equal \$(temp)
 print 'is press \$(press) \$(c_pall)'

@@ -252,8 +252,8 @@ syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/loc
 syn keyword tsim_compute contained pressure property/atom property/chunk property/local quantile rdf
 syn keyword tsim_compute contained reduce reduce/chunk reduce/region repose/angle slice squeeze/atom
 syn keyword tsim_compute contained stress/atom stress/region surface/contact temp temp/chunk temp/com
-syn keyword tsim_compute contained temp/granular temp/granular/chunk temp/sphere torque/chunk vacf
-syn keyword tsim_compute contained vcm/chunk wall/gran/local
+syn keyword tsim_compute contained temp/granular temp/granular/chunk temp/partial temp/region
+syn keyword tsim_compute contained temp/sphere torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
