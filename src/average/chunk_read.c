@@ -59,21 +59,30 @@ static enum ts_status refuse_word(struct tsim *sim, const struct ts_instance *se
 		       ts_kind_name(self->style->kind), self->style->name, why);
 }
 
-/* A per-particle number: its integer part is the chunk. */
+/* The per-particle number whose integer part is the chunk. */
+static const char *value_name(const struct ts_chunks *c)
+{
+	const char *word = c->words.word[0].text;
+
+	return ts_streq(word, "molecule") ? "mol" : word;
+}
+
 static enum ts_status read_value(struct ts_instance *self, struct tsim *sim, struct ts_chunks *c)
 {
 	const struct ts_word *word = &c->words.word[0];
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
-	if (strlen(word->text) > 2 && word->text[1] == '_' && strchr("cfv", word->text[0])) {
+	if (ts_streq(word->text, "molecule") ||
+	    (strlen(word->text) > 2 && word->text[1] == '_' && strchr("cfv", word->text[0]))) {
 		c->style = TS_CHUNK_VALUE;
 		return TS_OK;
 	}
 	for (int k = 0; k < NSTYLES; k++)
 		ts_suggest_try(&suggest, styles[k].name);
+	ts_suggest_try(&suggest, "molecule");
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
-		       "%s %s: unknown style of chunks '%s', expected a bin/..., type, c_ID, f_ID or "
-		       "v_NAME%s",
+		       "%s %s: unknown style of chunks '%s', expected a bin/..., type, molecule, "
+		       "c_ID, f_ID or v_NAME%s",
 		       ts_kind_name(self->style->kind), self->style->name, word->text,
 		       ts_suggest_text(&suggest));
 }
@@ -275,7 +284,7 @@ enum ts_status ts_chunks_init(struct ts_instance *self, struct tsim *sim, struct
 	if (c->style != TS_CHUNK_VALUE)
 		return TS_OK;
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(self->style->kind), self->style->name);
-	c->value.name = c->words.word[0].text;
+	c->value.name = value_name(c);
 	c->value.where = c->words.word[0].place;
 	return ts_ref_input_resolve(sim, what, TS_WANT(PERATOM), &c->value);
 }

@@ -79,4 +79,18 @@ pair_style spring/dashpot
 pair_coeff * * stiffness 2385 restitution 0.5
 compute n all neighbor/atom
 print "$(c_n[1])"' 'contacts are known only after a run'
+agree 'molecules' 'include in.begin
+fix m all property/atom mol
+set atom 1*3 mol 2
+set atom 4 mol 1
+compute k all chunk/atom molecule
+compute c all com/chunk k
+compute s all reduce/chunk k sum vx
+run 0
+print "is one $(c_c[1][1]) 0.99"
+print "is two $(c_c[2][1]) 0.35"
+print "is vx $(c_s[1]) 0.5"
+print "is sum $(c_s[2]) -3.415"'
+rejects 'include in.begin
+compute k all chunk/atom molecul' "did you mean 'molecule'?"
 finish
