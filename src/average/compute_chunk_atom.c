@@ -52,8 +52,7 @@ static const struct ts_arg args[] = {
 			 .help = "bin/1d, bin/2d or bin/3d and for each axis dim origin delta; bin/sphere x "
 				 "y z rmin rmax nbin; bin/cylinder dim origin delta c1 c2 rmin rmax nbin; "
 				 "type; molecule (fix property/atom mol); or c_ID, f_ID, v_NAME, whose "
-				 "integer part is the "
-				 "chunk"),
+				 "integer part is the chunk"),
 	TS_CHUNK_KEYWORDS(struct state),
 	TS_ENUM("nchunk", struct state, chunks.number, ts_chunk_numbers, .fallback = "default",
 		.flags = TS_STATEFUL,
