@@ -101,6 +101,16 @@ bool ts_ends_with(const char *text, const char *ending)
 	return n >= m && ts_streq(text + n - m, ending);
 }
 
+bool ts_has_word(const char *text, const char *word)
+{
+	size_t length = strlen(word);
+
+	for (const char *at = text; (at = strstr(at, word)); at += length)
+		if ((at == text || strchr(" \n", at[-1])) && strchr(" \n", at[length]))
+			return true;
+	return false;
+}
+
 bool ts_glob(const char *pattern, const char *text)
 {
 	const char *star = strchr(pattern, '*');

@@ -32,6 +32,8 @@ bool ts_parse_int(const char *text, int64_t *out);
 
 bool ts_streq(const char *a, const char *b);
 bool ts_ends_with(const char *text, const char *ending);
+/* Whether the text contains the word, between blanks or ends of lines. */
+bool ts_has_word(const char *text, const char *word);
 /* Shell-like pattern matching with `*` only. */
 bool ts_glob(const char *pattern, const char *text);
 

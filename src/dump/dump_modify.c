@@ -133,20 +133,11 @@ static void set_answers(struct ts_dump_common *d, const struct ts_dump_changes *
 		d->delay = c->delay;
 }
 
-static bool has_word(const char *words, const char *word)
-{
-	size_t length = strlen(word);
-
-	for (const char *at = words; at && (at = strstr(at, word)); at += length)
-		if ((at == words || at[-1] == ' ') && (at[length] == '\0' || at[length] == ' '))
-			return true;
-	return false;
-}
-
 /* LIGGGHTS, too, warns of keywords that do not change the frames of a dump. */
 static void warn_without_effect(struct tsim *sim, const struct ts_instance *dump,
 				const struct ts_dump_changes *c, const struct ts_place *where)
 {
+	const char *words = dump->style->dump_words ? dump->style->dump_words : "";
 	const struct {
 		const char *word;
 		bool given;
@@ -168,7 +159,7 @@ static void warn_without_effect(struct tsim *sim, const struct ts_instance *dump
 	};
 
 	for (size_t k = 0; k < sizeof keyword / sizeof *keyword; k++)
-		if (keyword[k].given && !has_word(dump->style->dump_words, keyword[k].word))
+		if (keyword[k].given && !ts_has_word(words, keyword[k].word))
 			ts_warn(&sim->log, ts_sim_word_of(sim, keyword[k].word, where),
 				"dump_modify: %s has no effect on dump %s", keyword[k].word,
 				dump->style->name);

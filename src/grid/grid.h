@@ -53,15 +53,18 @@ static inline size_t ts_at(const struct ts_grid *grid, int i, int j, int k)
 	return (size_t)((ptrdiff_t)grid->origin + i + j * grid->stride[1] + k * grid->stride[2]);
 }
 
-/* Indices of the cell at an index of a field. */
+/* Indices of the cell, or of the ghost, at an index of a field. */
 static inline void ts_grid_indices(const struct ts_grid *grid, size_t at, int i[3])
 {
-	ptrdiff_t rest = (ptrdiff_t)(at - grid->origin);
+	ptrdiff_t rest = (ptrdiff_t)at - (ptrdiff_t)grid->origin;
 
-	i[2] = grid->dimensions == 3 ? (int)(rest / grid->stride[2]) : 0;
-	rest -= grid->dimensions == 3 ? i[2] * grid->stride[2] : 0;
-	i[1] = (int)(rest / grid->stride[1]);
-	i[0] = (int)(rest % grid->stride[1]);
+	for (int d = 0; d < grid->dimensions; d++)
+		rest += grid->ghosts[d] * grid->stride[d];
+	i[2] = 0;
+	for (int d = grid->dimensions - 1; d >= 0; d--) {
+		i[d] = (int)(rest / grid->stride[d]) - grid->ghosts[d];
+		rest %= grid->stride[d];
+	}
 }
 
 static inline double ts_grid_volume(const struct ts_grid *grid, int i, int j, int k)

@@ -79,8 +79,8 @@ const struct ts_style ts_compute_temp_partial = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Temperature of the motion along some of the axes",
 	.doc = "As compute temp for the components of the velocity along n of the D axes, for instance those "
-	       "across a "
-	       "flow: T = sum m v^2 / (n (N - 1) k_B). `compute_modify ID extra M` replaces the degrees of "
+	       "across a flow: T = sum m v^2 / (n (N - 1) k_B). `compute_modify ID extra M` replaces the "
+	       "degrees of "
 	       "freedom by n N - M n/D.",
 	.example = "compute across all temp/partial 0 1 1",
 	.args = args,

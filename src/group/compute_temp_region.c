@@ -70,9 +70,9 @@ const struct ts_style ts_compute_temp_region = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Temperature of the particles in a region",
 	.doc = "As compute temp for the N particles of the group that are in the region at the time of "
-	       "evaluation. "
-	       "A degree of freedom of each axis is subtracted, as there, or what `compute_modify ID extra "
-	       "M` says.",
+	       "evaluation. A degree of freedom of each axis is subtracted, as there, or what "
+	       "`compute_modify "
+	       "ID extra M` says.",
 	.example = "compute mouth all temp/region outlet",
 	.args = args,
 	.state_size = sizeof(struct temp_region),

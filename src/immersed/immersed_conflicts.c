@@ -90,26 +90,12 @@ enum ts_status ts_immersed_warn_overlap(struct tsim *sim, const struct ts_place 
 
 /* ---- gaps */
 
-/* Indices of a point, or of a ghost, at an index of a field. */
-static void point_indices(const struct ts_grid *grid, size_t at, int i[3])
-{
-	ptrdiff_t rest = (ptrdiff_t)at - (ptrdiff_t)grid->origin;
-
-	for (int d = 0; d < grid->dimensions; d++)
-		rest += grid->ghosts[d] * grid->stride[d];
-	i[2] = 0;
-	for (int d = grid->dimensions - 1; d >= 0; d--) {
-		i[d] = (int)(rest / grid->stride[d]) - grid->ghosts[d];
-		rest %= grid->stride[d];
-	}
-}
-
 static void sample_position(const struct ts_grid *grid, int component, const struct ts_immersed_sample *s,
 			    double x[3])
 {
 	int i[3];
 
-	point_indices(grid, s->corner, i);
+	ts_grid_indices(grid, s->corner, i);
 	for (int d = 0; d < 3; d++) {
 		const double *line = d == component ? grid->face[d] : grid->centre[d];
 

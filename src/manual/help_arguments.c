@@ -121,24 +121,13 @@ static void add_row(const struct ts_arg *row, size_t depth, bool markdown, struc
 enum { FEW_ARGUMENTS = 8, FEW_FURTHER = 3, LONG_SYNOPSIS = 40 };
 static const char further[] = "Further keywords";
 
-/* Whether the text contains the word, between blanks. */
-static bool has_word(const char *text, const char *word)
-{
-	size_t length = strlen(word);
-
-	for (const char *at = text; (at = strstr(at, word)); at += length)
-		if ((at == text || strchr(" \n", at[-1])) && strchr(" \n", at[length]))
-			return true;
-	return false;
-}
-
 /* Whether a line needs the argument, or the example of the style has it. */
 static bool is_needed(const struct ts_style *style, const struct ts_arg *row)
 {
 	bool required = !row->fallback && !(row->flags & TS_OPTIONAL) && row->type != TS_ARG_FLAG;
 
 	return (row->flags & TS_POSITIONAL) || required ||
-	       (style->example && has_word(style->example, row->name));
+	       (style->example && ts_has_word(style->example, row->name));
 }
 
 static bool has_groups(const struct ts_style *style)
@@ -160,7 +149,7 @@ static const char *group_of(const struct ts_style *style, const struct ts_arg *r
 	if (!has_groups(style))
 		return NULL;
 	for (const struct ts_arg_group *g = style->groups; g && g->words; g++)
-		if (has_word(g->words, row->name))
+		if (ts_has_word(g->words, row->name))
 			return g->title;
 	return style->groups || !is_needed(style, row) ? further : NULL;
 }
