@@ -381,6 +381,7 @@ library_sources = \
 	src/core/units.h \
 	src/core/unsupported_names.c \
 	src/core/unsupported_names.h \
+	src/core/unsupported_styles.c \
 	src/core/uses.c \
 	src/core/uses.h \
 	src/core/value.c \
@@ -706,6 +707,8 @@ library_sources = \
 	src/group/compute_temp.c \
 	src/group/compute_temp_com.c \
 	src/group/compute_temp_partial.c \
+	src/group/compute_temp_profile.c \
+	src/group/compute_temp_ramp.c \
 	src/group/compute_temp_region.c \
 	src/group/compute_temp_sphere.c \
 	src/group/group_dynamic.c \

@@ -57,6 +57,7 @@ shell_tests = \
 	tests/crosscheck/granular.sh \
 	tests/crosscheck/heat.sh \
 	tests/crosscheck/insertion.sh \
+	tests/crosscheck/known_names.sh \
 	tests/crosscheck/lammps.sh \
 	tests/crosscheck/lammps_examples.sh \
 	tests/crosscheck/lammps_granular.sh \

@@ -31,7 +31,8 @@ const struct ts_command_style ts_command_legacy = {
 		   .summary = "the results of LIGGGHTS or LAMMPS where their algorithms and tsim's differ",
 		   .doc = "`legacy lammps` has two of the differences, restart of runs and walls with the "
 			  "law `granular`; fix print prints at the start of a run, and titles of columns in "
-			  "the log are c_ID, f_ID and v_NAME instead of ID and NAME. With `legacy yes`:\n\n"
+			  "the log are c_ID, f_ID and v_NAME instead of ID and NAME; compute temp/profile "
+			  "subtracts the degrees of freedom that LAMMPS does. With `legacy yes`:\n\n"
 			  "Contact history: a pair that separates keeps the history of its contact "
 			  "(tangential and rolling springs, the depth of hooke/hysteresis) until the next "
 			  "rebuild of the neighbor list, and continues it if the particles touch again "

@@ -7,12 +7,15 @@
 
 struct ts_unsupported {
 	enum ts_kind kind;
-	const char *name;   /* a trailing * stands for any ending */
+	const char *names;  /* separated by blanks; a trailing * stands for any ending */
 	const char *remark; /* what tsim has instead, or why not */
 };
 
-extern const struct ts_unsupported ts_unsupported_table[]; /* closed by .name NULL */
+extern const struct ts_unsupported
+	ts_unsupported_table[]; /* closed by .names NULL; core/unsupported_styles.c */
 
+/* Whether the name is one of the row. */
+bool ts_unsupported_names(const struct ts_unsupported *row, const char *name);
 /* NULL: not in the table. */
 const struct ts_unsupported *ts_unsupported_find(enum ts_kind kind, const char *name);
 

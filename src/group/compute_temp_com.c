@@ -19,9 +19,7 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 
 	ts_group_velocity(sim, self->group, mean);
 	ts_temperature_tensor(sim, self->group, mean, sum);
-	for (int k = 0; k < 6; k++)
-		out->data[k] = sum[k];
-	return TS_OK;
+	return ts_temperature_write_tensor(sum, out);
 }
 
 static const struct ts_value values[] = {

@@ -8,17 +8,12 @@ struct temp_partial {
 	int64_t along[3];
 };
 
-static void partial_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void along_axes(const struct tsim *sim, size_t i, const void *context, double u[3])
 {
 	const struct temp_partial *c = context;
-	const struct ts_particles *p = sim->particles;
 
-	for (int k = 0; k < 6; k++) {
-		int a = ts_tensor_row[k], b = ts_tensor_column[k];
-
-		term[k] = c->along[a] && c->along[b] ? p->mass[i] * p->v[i][a] * p->v[i][b] : 0;
-	}
-	term[6] = 1;
+	for (int d = 0; d < 3; d++)
+		u[d] = c->along[d] ? sim->particles->v[i][d] : 0;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -39,7 +34,7 @@ static enum ts_status eval_temperature(struct ts_instance *self, const struct ts
 	const double axes = (double)(c->along[0] + c->along[1] + c->along[2]);
 	double sum[7];
 
-	ts_group_sum(sim, self->group, 7, partial_terms, c, sum);
+	ts_temperature_tensor_in(sim, self->group, along_axes, c, sum);
 	out->data[0] = axes > 0 ? ts_temperature(sim, sum, &c->freedom) * sim->dimension / axes : 0;
 	return TS_OK;
 }
@@ -48,10 +43,8 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 {
 	double sum[7];
 
-	ts_group_sum(sim, self->group, 7, partial_terms, self->state, sum);
-	for (int k = 0; k < 6; k++)
-		out->data[k] = sum[k];
-	return TS_OK;
+	ts_temperature_tensor_in(sim, self->group, along_axes, self->state, sum);
+	return ts_temperature_write_tensor(sum, out);
 }
 
 static const struct ts_arg args[] = {

@@ -44,9 +44,7 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 	double sum[7];
 
 	TS_TRY(find_sums(self, sim, sum));
-	for (int k = 0; k < 6; k++)
-		out->data[k] = sum[k];
-	return TS_OK;
+	return ts_temperature_write_tensor(sum, out);
 }
 
 static const struct ts_arg args[] = {

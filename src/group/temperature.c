@@ -5,23 +5,47 @@
 
 #include "base/banned.h"
 
+struct motion {
+	ts_peculiar_velocity *peculiar;
+	const void *flow;
+};
+
 static void kinetic_tensor_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	double v[3];
+	const struct motion *m = context;
+	double u[3];
 
-	ts_sub(sim->particles->v[i], context, v);
+	m->peculiar(sim, i, m->flow, u);
 	for (int k = 0; k < 6; k++)
-		term[k] = sim->particles->mass[i] * v[ts_tensor_row[k]] * v[ts_tensor_column[k]];
+		term[k] = sim->particles->mass[i] * u[ts_tensor_row[k]] * u[ts_tensor_column[k]];
 	term[6] = 1;
+}
+
+void ts_temperature_tensor_in(const struct tsim *sim, int group, ts_peculiar_velocity *peculiar,
+			      const void *flow, double out[7])
+{
+	struct motion motion = { peculiar, flow };
+
+	ts_group_sum(sim, group, 7, kinetic_tensor_terms, &motion, out);
+}
+
+static void less_mean(const struct tsim *sim, size_t i, const void *mean, double u[3])
+{
+	ts_sub(sim->particles->v[i], mean, u);
 }
 
 void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[3], double out[7])
 {
-	double shift[3] = { 0 };
+	static const double zero[3] = { 0 };
 
-	for (int d = 0; mean && d < 3; d++)
-		shift[d] = mean[d];
-	ts_group_sum(sim, group, 7, kinetic_tensor_terms, shift, out);
+	ts_temperature_tensor_in(sim, group, less_mean, mean ? mean : zero, out);
+}
+
+enum ts_status ts_temperature_write_tensor(const double tensor[7], struct ts_table *out)
+{
+	for (int k = 0; k < 6; k++)
+		out->data[k] = tensor[k];
+	return TS_OK;
 }
 
 enum ts_status ts_freedom_read(struct ts_freedom *freedom, struct tsim *sim, struct ts_words words,
@@ -47,11 +71,15 @@ enum ts_status ts_freedom_modify(struct ts_instance *self, struct tsim *sim, str
 	return ts_freedom_read(self->state, sim, words, used);
 }
 
-double ts_temperature(const struct tsim *sim, const double t[7], const struct ts_freedom *f)
+double ts_temperature_without(const struct tsim *sim, const double t[7], double missing)
 {
-	double missing = f && f->given ? f->missing : sim->dimension;
 	double freedom = sim->dimension * t[6] - missing;
 	double twice_energy = t[0] + t[1] + (sim->dimension == 3 ? t[2] : 0);
 
 	return freedom > 0 ? twice_energy / (freedom * ts_boltzmann(sim)) : 0;
+}
+
+double ts_temperature(const struct tsim *sim, const double tensor[7], const struct ts_freedom *f)
+{
+	return ts_temperature_without(sim, tensor, f && f->given ? f->missing : sim->dimension);
 }

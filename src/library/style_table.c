@@ -92,6 +92,7 @@ TS_STYLE(command, ts_command_style, ts_command_restart)
 TS_STYLE(command, ts_command_style, ts_command_review)
 TS_STYLE(command, ts_command_style, ts_command_run)
 TS_STYLE(command, ts_command_style, ts_command_run_style)
+TS_STYLE(command, ts_command_style, ts_command_run_time)
 TS_STYLE(command, ts_command_style, ts_command_set)
 TS_STYLE(command, ts_command_style, ts_command_shell)
 TS_STYLE(command, ts_command_style, ts_command_soft_particles)
@@ -136,6 +137,7 @@ TS_STYLE(compute, ts_style, ts_compute_count_type)
 TS_STYLE(compute, ts_style, ts_compute_displace_atom)
 TS_STYLE(compute, ts_style, ts_compute_erotate)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
+TS_STYLE(compute, ts_style, ts_compute_erotate_rigid)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
 TS_STYLE(compute, ts_style, ts_compute_fabric)
@@ -156,6 +158,7 @@ TS_STYLE(compute, ts_style, ts_compute_inertia_chunk)
 TS_STYLE(compute, ts_style, ts_compute_ke)
 TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 TS_STYLE(compute, ts_style, ts_compute_ke_multisphere)
+TS_STYLE(compute, ts_style, ts_compute_ke_rigid)
 TS_STYLE(compute, ts_style, ts_compute_leave)
 TS_STYLE(compute, ts_style, ts_compute_mixing)
 TS_STYLE(compute, ts_style, ts_compute_mixing_contact)
@@ -195,6 +198,8 @@ TS_STYLE(compute, ts_style, ts_compute_temp_com)
 TS_STYLE(compute, ts_style, ts_compute_temp_granular)
 TS_STYLE(compute, ts_style, ts_compute_temp_granular_chunk)
 TS_STYLE(compute, ts_style, ts_compute_temp_partial)
+TS_STYLE(compute, ts_style, ts_compute_temp_profile)
+TS_STYLE(compute, ts_style, ts_compute_temp_ramp)
 TS_STYLE(compute, ts_style, ts_compute_temp_region)
 TS_STYLE(compute, ts_style, ts_compute_temp_sphere)
 TS_STYLE(compute, ts_style, ts_compute_torque_chunk)
@@ -450,6 +455,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_review.style,
 	&ts_command_run.style,
 	&ts_command_run_style.style,
+	&ts_command_run_time.style,
 	&ts_command_set.style,
 	&ts_command_shell.style,
 	&ts_command_soft_particles.style,
@@ -494,6 +500,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_displace_atom,
 	&ts_compute_erotate,
 	&ts_compute_erotate_multisphere,
+	&ts_compute_erotate_rigid,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
 	&ts_compute_fabric,
@@ -514,6 +521,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_ke,
 	&ts_compute_ke_atom,
 	&ts_compute_ke_multisphere,
+	&ts_compute_ke_rigid,
 	&ts_compute_leave,
 	&ts_compute_mixing,
 	&ts_compute_mixing_contact,
@@ -553,6 +561,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_temp_granular,
 	&ts_compute_temp_granular_chunk,
 	&ts_compute_temp_partial,
+	&ts_compute_temp_profile,
+	&ts_compute_temp_ramp,
 	&ts_compute_temp_region,
 	&ts_compute_temp_sphere,
 	&ts_compute_torque_chunk,

@@ -63,8 +63,8 @@ static void add_other_entries(const struct ts_tables *tables, const char *name, 
 	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++)
 		if (ts_streq((*v)->name, name))
 			ts_topic_entry((*v)->name, NULL, (*v)->help, "style of variables", false, out);
-	for (const struct ts_unsupported *w = ts_unsupported_table; w->name; w++)
-		if (ts_glob(w->name, name))
+	for (const struct ts_unsupported *w = ts_unsupported_table; w->names; w++)
+		if (ts_unsupported_names(w, name))
 			ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(w->kind), name,
 				    w->remark);
 }

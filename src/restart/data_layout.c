@@ -81,8 +81,9 @@ bool ts_data_layout(const char *style, struct ts_data_layout *out)
 
 enum ts_status ts_data_refuse_style(struct tsim *sim, const struct ts_word *word)
 {
-	static const char *const others[] = { "superquadric", "sph",	"ellipsoid", "line",  "tri", "body",
-					      "dipole",	      "charge", "full",	     "angle", NULL };
+	static const char *const others[] = { "superquadric", "sph",  "sph/var", "ellipsoid", "line",
+					      "tri",	      "body", "peri",	 "template",  "dipole",
+					      "charge",	      "full", "angle",	 NULL };
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
 	for (size_t k = 0; others[k]; k++)
@@ -91,6 +92,9 @@ enum ts_status ts_data_refuse_style(struct tsim *sim, const struct ts_word *word
 				       "atom_style %s is known, but tsim does not have it: particles are "
 				       "spheres",
 				       word->text);
+	if (ts_streq(word->text, "hybrid"))
+		return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+			       "atom_style hybrid: expected styles behind it, such as sphere bond");
 	for (size_t k = 0; k < sizeof layouts / sizeof *layouts; k++)
 		ts_suggest_try(&suggest, layouts[k].style);
 	ts_suggest_try(&suggest, "hybrid");

@@ -1,7 +1,8 @@
-/* Command run: runs the simulation for N steps. */
+/* Commands run and run_time: run the simulation for N steps, or for a time. */
 #include "core/plan.h"
 
 #include <inttypes.h>
+#include <math.h>
 
 #include "base/clock.h"
 #include "core/ranks.h"
@@ -269,4 +270,61 @@ const struct ts_command_style ts_command_run = {
 		   .state_size = sizeof(struct run) },
 	.needs_box = true,
 	.run = run,
+};
+
+struct run_time {
+	double time;
+	bool upto;
+};
+
+/* Number of steps that cover `span`; what a quotient lacks or exceeds by round-off is no step. */
+static enum ts_status steps_of(struct tsim *sim, double span, const struct ts_place *where, int64_t *steps)
+{
+	const double n = span / sim->clock.dt, nearest = round(n);
+	const double whole = fabs(n - nearest) <= 1e-9 * fmax(1, nearest) ? nearest : ceil(n);
+
+	if (!(whole <= 9e15))
+		return ts_fail(&sim->error, TS_RANGE, where, "run_time: %g steps of %g are out of range",
+			       whole, sim->clock.dt);
+	*steps = (int64_t)whole;
+	return TS_OK;
+}
+
+static enum ts_status run_time(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct run_time *t = state;
+	const double now = ts_sim_time(sim);
+	double span = t->upto ? t->time - now : t->time;
+	struct run r = { .start = -1, .stop = -1, .pre = true, .post = true };
+
+	if (span < 0 && (span > -sim->clock.dt || sim->reading.open_clock)) /* the last step has covered it */
+		span = 0;
+	if (span < 0)
+		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
+			       "run_time upto %g: the simulation is already at time %g", t->time, now);
+	TS_TRY(steps_of(sim, span, ts_sim_word(sim, 1, where), &r.steps));
+	return run(sim, &r, where);
+}
+
+static const struct ts_arg time_args[] = {
+	TS_REAL("T", struct run_time, time, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .unit = "time",
+		.help = "time"),
+	TS_FLAG("upto", struct run_time, upto, .help = "run until the time T instead of T longer"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_run_time)
+const struct ts_command_style ts_command_run_time = {
+	.style = { .name = "run_time",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "Runs the simulation for a time",
+		   .doc = "As `run N` with the number of steps that cover the time T: T divided by the time "
+			  "step, a fraction of a step counts as one. A quotient that is whole but for "
+			  "round-off, a part in 1e9, is taken as whole.",
+		   .example = "run_time 0.5\nrun_time 2.0 upto",
+		   .args = time_args,
+		   .ranks = TS_RANKS_FORMULAS,
+		   .state_size = sizeof(struct run_time) },
+	.needs_box = true,
+	.run = run_time,
 };

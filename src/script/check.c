@@ -21,10 +21,10 @@ static const struct {
 
 /* Commands on whose effect later lines do not depend. */
 static const char *const harmless[] = {
-	"print",    "echo",	     "log",	      "shell",	    "label", "jump",	    "next",
-	"thermo",   "thermo_style",  "thermo_modify", "thermo_log", "dump",  "dump_modify", "undump",
-	"restart",  "write_restart", "write_dump",    "write_data", "info",  "if",	    "run",
-	"variable", "timestep",	     "uncompute",     "compute",
+	"print",    "echo",	     "log",	      "shell",	    "label",	"jump",	       "next",
+	"thermo",   "thermo_style",  "thermo_modify", "thermo_log", "dump",	"dump_modify", "undump",
+	"restart",  "write_restart", "write_dump",    "write_data", "info",	"if",	       "run",
+	"variable", "timestep",	     "uncompute",     "compute",    "run_time",
 };
 
 enum ts_status ts_check_new(struct ts_script *script)
@@ -235,7 +235,7 @@ static enum ts_status mark_names_lost(struct ts_script *script, struct ts_words 
 		if (makes[k].word < words.n)
 			return ts_check_mark_lost(script, makes[k].kind, words.word[makes[k].word].text);
 	}
-	if (ts_streq(command, "run") && script->sim->clock.step < script->sim->clock.last_step)
+	if (ts_script_command_runs(command) && script->sim->clock.step < script->sim->clock.last_step)
 		script->sim->clock.step = script->sim->clock.last_step;
 	return TS_OK;
 }

@@ -49,6 +49,11 @@ const struct ts_place *ts_script_place(const struct ts_script *script, size_t k,
 
 /* Executes a command given by its words; word 0 is its name. */
 enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words words);
+/* Whether the command does steps of a run of its own. */
+static inline bool ts_script_command_runs(const char *command)
+{
+	return ts_streq(command, "run") || ts_streq(command, "run_time");
+}
 /* Executes one or several lines, which are the argument of a command at `where`. */
 enum ts_status ts_script_execute(struct ts_script *script, const char *text, const struct ts_place *where);
 /* Stores the text of a file or a stream, once for each name. */

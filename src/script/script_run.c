@@ -50,7 +50,7 @@ static enum ts_status run_words(struct ts_script *script, struct ts_words words,
 	int before = log->withheld;
 	enum ts_status status;
 
-	log->withholds = guessed && !ts_streq(words.word[0].text, "run");
+	log->withholds = guessed && !ts_script_command_runs(words.word[0].text);
 	status = ts_script_run_words(script, words);
 	if (log->withholds && script->check)
 		script->check->open += log->withheld - before;

@@ -66,6 +66,56 @@ boundary p p p
 region b block 0 1 0 1 -0.5 0.5
 create_box 1 b
 compute c all temp/partial 1 0 1" 'in two dimensions there is no motion along z'
+agree 'relative to a flow' "$gas
+velocity all ramp vx 0.5 2 z 2 8 sum yes units box
+compute ramp low temp/ramp vx 0.5 2 z 2 8 units box
+compute bins low chunk/atom bin/1d z lower 2 units box
+compute vcm low vcm/chunk bins
+compute mean low chunk/spread/atom bins c_vcm[1] c_vcm[3]
+compute layers low temp/profile 1 0 1 z 5
+compute cells all temp/profile 1 1 1 xyz 1 1 1
+compute still all temp/profile 0 0 0 xy 3 2
+compute alone all temp/profile 1 1 1 xyz 1000 1000 1000
+group nobody empty
+compute none nobody temp/profile 1 1 1 x 3
+variable ux atom vx-0.5-1.5*((z>2)*(z<8)*(z-2)/6+(z>=8))
+variable wx atom vx-c_mean[1]
+variable wz atom vz-c_mean[2]
+variable er atom mass*(v_ux^2+vy^2+vz^2)
+variable ew atom mass*(v_wx^2+vy^2+v_wz^2)
+variable xz atom mass*v_wx*v_wz
+variable filled atom c_mean[1]!=0
+compute sum low reduce sum v_er v_ew v_xz
+compute count low property/chunk bins count
+compute full all reduce sum v_filled
+run 0
+variable b vector c_count>0
+print 'is ramp \$(c_ramp) \$(c_sum[1]/(3*9))'
+print 'is tensor \$(c_ramp[1]+c_ramp[2]+c_ramp[3]) \$(c_sum[1])'
+print 'is layers \$(c_layers) \$(c_sum[2]/(3*10-2*sum(v_b)))'
+print 'is xz \$(c_layers[5]) \$(c_sum[3])'
+print 'is cells \$(c_cells) \$(c_drift)'
+print 'is still \$(c_still) \$(c_all*39/40)'
+print 'is none \$(c_alone+c_none) 0'
+compute_modify ramp extra 6
+compute_modify layers extra 6
+print 'is extra \$(c_ramp) \$(c_sum[1]/24)'
+print 'is more \$(c_layers) \$(c_sum[2]/(24-2*sum(v_b)))'
+legacy lammps
+print 'is lammps \$(c_layers) \$(c_sum[2]/(24-15))'"
+rejects "$gas
+compute c all temp/ramp vx 0 1 z 2 2" 'expected lo < hi'
+rejects "$gas
+compute c all temp/profile 1 0 0 z 0" 'Nz is 0, expected a number > 0'
+rejects "$gas
+compute c all temp/profile 1 0 0 z 4 out bin" 'compute temp/chunk gives the temperature of each bin'
+rejects "$gas
+compute c all temp/profile 1 0 0 xy 100000 100000" '1e+10 bins, expected at most'
+rejects "dimension 2
+boundary p p p
+region b block 0 1 0 1 -0.5 0.5
+create_box 1 b
+compute c all temp/profile 1 1 0 yz 2 2" 'in two dimensions there is one bin along z'
 agree 'keywords by computes' "$gas
 variable before equal \$(temp)
 print 'is press \$(press) \$(c_pall)'

@@ -101,6 +101,20 @@ create_atoms 1 random 100 49979687 NULL
 velocity all create 1.5 86028157
 variable off equal abs(ke(all)/(1.5*99*1.5)-1)
 if \"\${off} < 1e-12\" then 'print exact'" 'Created 100 atoms' 'exact'
+good 'runs for a time' "units si
+boundary f f f
+$ball
+timestep 1e-5
+run_time 7e-5
+print \"step \$(step)\"
+run_time 1.004e-3
+print \"step \$(step)\"
+run_time 2.5e-3 upto
+timestep 3e-5
+run_time 2.6e-3 upto
+run_time 2.6e-3 upto
+run_time 0
+print \"step \$(step) \$(time:%.10g)\"" 'step 7' 'step 108' 'step 254 0.00262'
 good 'accepted' "atom_style granular
 atom_modify map array
 newton off
@@ -114,6 +128,18 @@ mass * 2.0
 timestep 1e-4
 reset_timestep 5"
 
+bad "boundary f f f
+$ball
+timestep 1e-5
+run_time 1e-4
+run_time 8e-5 upto" 'run_time upto 8e-05: the simulation is already at time 0.0001'
+bad "boundary f f f
+$ball
+timestep 1e-5
+run_time 1e15" 'steps of 1e-05 are out of range'
+bad "$box
+run_time" 'run_time: T is missing'
+bad 'atom_style hybrid' 'expected styles behind it'
 bad 'boundary p f q' "boundary: z is 'q'"
 bad 'boundary pf f f' 'both faces must be periodic or none'
 bad 'units sj' 'expected one of lj, si, cgs, micro'

@@ -102,20 +102,20 @@ syn keyword tsimKeyword  tracer reset_marker min max ave sumsq avesq sumabs avea
 syn keyword tsimKeyword  maxabs std inputs peratom update_on_run_end ridge plane center
 syn keyword tsimKeyword  winkler halfspace young poisson counter_young counter_poisson
 syn keyword tsimKeyword  iterations counter adof cdof mean linear/x linear/y linear/z
-syn keyword tsimKeyword  motion translation rotation unbiased dof primitives colour u v
-syn keyword tsimKeyword  movie voxel clip slice film arrow view zoom persp axes subbox
-syn keyword tsimKeyword  shiny depthcue fsaa ssao legend reset coefficient
+syn keyword tsimKeyword  motion translation rotation unbiased xy yz xz xyz dof primitives
+syn keyword tsimKeyword  colour u v movie voxel clip slice film arrow view zoom persp axes
+syn keyword tsimKeyword  subbox shiny depthcue fsaa ssao legend reset coefficient
 syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
 syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
 syn keyword tsimKeyword  global beyond end extra level prob iparam jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate wiggle
-syn keyword tsimKeyword  xy xz yz flip xyz scheme explicit implicit lagged void sound C1 C2
-syn keyword tsimKeyword  wob spring body clearance summary pf/callback pf/array
-syn keyword tsimKeyword  conductivity capacity initial source convection vanleer central
-syn keyword tsimKeyword  donor exchange ranz_marshall chute spherical hard soft continue
-syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
+syn keyword tsimKeyword  flip scheme explicit implicit lagged void sound C1 C2 wob spring
+syn keyword tsimKeyword  body clearance summary pf/callback pf/array conductivity capacity
+syn keyword tsimKeyword  initial source convection vanleer central donor exchange
+syn keyword tsimKeyword  ranz_marshall chute spherical hard soft continue message path
+syn keyword tsimKeyword  initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler min_cells relax virtual_mass surface
 syn keyword tsimKeyword  spheres distributiontemplate maxattempt overlapcheck stacked
 syn keyword tsimKeyword  orientation set_property verbose all_in position direction
@@ -198,7 +198,7 @@ syn keyword tsimName  true false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|length\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|mesh_primitive\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|report\|rerun\|reset_timestep\|restart\|review\|run\|run_style\|set\|shell\|soft_particles\|special_bonds\|suffix\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|mesh_primitive\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|report\|rerun\|reset_timestep\|restart\|review\|run\|run_style\|run_time\|set\|shell\|soft_particles\|special_bonds\|suffix\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
@@ -218,53 +218,58 @@ syn keyword tsim_fix contained heat/gran/conduction immersed/boundary insert/gap
 syn keyword tsim_fix contained insert/pack insert/pack/dense insert/rate/region insert/stream
 syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce lubrication
 syn keyword tsim_fix contained massflow/mesh mesh/surface mesh/surface/planar mesh/surface/stress
-syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
-syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
-syn keyword tsim_fix contained nve/noforce nve/sphere nve/bpm/sphere nve/sphere/bpm
-syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/file
+syn keyword tsim_fix contained move/mesh/gran move/mesh/free multicontact/halfspace multisphere
+syn keyword tsim_fix contained nve nve/euler nve/limit nve/noforce nve/sphere nve/bpm/sphere
+syn keyword tsim_fix contained nve/sphere/bpm nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere
 syn keyword tsim_fix contained particletemplate/sphere planeforce pour
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
-syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter remove rigid
-syn keyword tsim_fix contained rigid/small scale/diameter setforce spring spring/self store/force
-syn keyword tsim_fix contained store/state surface/heat surface/impacts surface/voxel vector
-syn keyword tsim_fix contained viscous viscous/sphere void_fraction wafer wall/gran
-syn keyword tsim_fix contained wall/gran/region wall/reflect wear/archard wear/bitter wear/finnie
-syn keyword tsim_fix contained wear/formula wear/neilson/gilchrist wear/oka wear/zhao/chang
+syn keyword tsim_fix contained property/atom/tracer/stream property/global custom_property/global
+syn keyword tsim_fix contained property/atomtype property/atomtypepair recenter remove rigid
+syn keyword tsim_fix contained rigid/nve rigid/nve/small rigid/small scale/diameter setforce
+syn keyword tsim_fix contained spring spring/self store/force store/state surface/heat
+syn keyword tsim_fix contained surface/impacts surface/voxel vector viscous viscous/sphere
+syn keyword tsim_fix contained void_fraction wafer wall/gran wall/gran/region wall/reflect
+syn keyword tsim_fix contained wear/archard wear/bitter wear/finnie wear/formula
+syn keyword tsim_fix contained wear/neilson/gilchrist wear/oka wear/zhao/chang
 syn keyword tsim_fix contained wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained active/paml active/pi active/pml aggregate/atom angmom/chunk
 syn keyword tsim_compute contained automaton/profile bed/height bond/counter bond/local bonds
 syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
-syn keyword tsim_compute contained contact/atom contacts coord/atom coordination count/type
-syn keyword tsim_compute contained displace/atom erotate erotate/multisphere erotate/sphere
-syn keyword tsim_compute contained erotate/sphere/atom fabric film film/atom flow/flux flow/force
-syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom granular/couette
-syn keyword tsim_compute contained granular/shear group/group gyration gyration/chunk inertia/chunk
-syn keyword tsim_compute contained ke ke/atom ke/multisphere leave mixing mixing/contact mixing/gmmi
-syn keyword tsim_compute contained mixing/neighbor msd msd/chunk multisphere rigid multisphere/single
-syn keyword tsim_compute contained nbond/atom neighbor/atom nparticles/tracer/region omega/chunk
-syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/local pe pe/atom
-syn keyword tsim_compute contained pressure property/atom property/chunk property/local quantile rdf
-syn keyword tsim_compute contained reduce reduce/chunk reduce/region repose/angle slice squeeze/atom
-syn keyword tsim_compute contained stress/atom stress/region surface/contact temp temp/chunk temp/com
-syn keyword tsim_compute contained temp/granular temp/granular/chunk temp/partial temp/region
-syn keyword tsim_compute contained temp/sphere torque/chunk vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained contact/atom contact/atom/gran contacts coord/atom coordination
+syn keyword tsim_compute contained count/type displace/atom erotate erotate/multisphere erotate/rigid
+syn keyword tsim_compute contained erotate/sphere erotate/sphere/atom fabric film film/atom flow/flux
+syn keyword tsim_compute contained flow/force flow/line flow/plane flow/probe fragment/atom
+syn keyword tsim_compute contained granular/couette granular/shear group/group gyration
+syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere ke/rigid
+syn keyword tsim_compute contained leave mixing mixing/contact mixing/gmmi mixing/neighbor msd
+syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/single nbond/atom
+syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
+syn keyword tsim_compute contained pair/gran/local/bond pair/local pe pe/atom pressure property/atom
+syn keyword tsim_compute contained property/chunk property/local quantile rdf reduce reduce/chunk
+syn keyword tsim_compute contained reduce/region repose/angle slice squeeze/atom stress/atom
+syn keyword tsim_compute contained stress/region surface/contact temp temp/chunk temp/com
+syn keyword tsim_compute contained temp/granular temp/granular/chunk temp/partial temp/profile
+syn keyword tsim_compute contained temp/ramp temp/region temp/sphere torque/chunk vacf vcm/chunk
+syn keyword tsim_compute contained wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
 syn keyword tsim_region contained prism sphere union wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
-syn keyword tsim_dump contained atom automaton/png automaton/vtk custom custom/vtk euler/vtk
-syn keyword tsim_dump contained flow/vtk h5md image local local/gran/vtk local/vtk mesh/stl stl
-syn keyword tsim_dump contained mesh/vtk mesh/gran/VTK movie
+syn keyword tsim_dump contained atom atom/gz atom/mpiio automaton/png automaton/vtk custom
+syn keyword tsim_dump contained custom/gz custom/mpiio custom/vtk euler/vtk flow/vtk h5md image
+syn keyword tsim_dump contained local local/gz local/gran/vtk local/vtk mesh/stl stl mesh/vtk
+syn keyword tsim_dump contained mesh/gran/VTK movie
 syn match tsim_dump /\<restart\>/ contained
-syn keyword tsim_dump contained voxel/vtk xyz
+syn keyword tsim_dump contained voxel/vtk xyz xyz/gz xyz/mpiio
 hi def link tsim_dump Type
 syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
 syn keyword tsim_pair contained bpm/spring gran gran/hertz/history gran/hooke gran/hooke/history
