@@ -1565,6 +1565,8 @@ library_sources = \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \
+	src/wall/mesh_sieve.c \
+	src/wall/mesh_sieve.h \
 	src/wall/mesh_stick.c \
 	src/wall/mesh_stick.h \
 	src/wall/mesh_wall.c \

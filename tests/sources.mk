@@ -187,6 +187,7 @@ shell_tests = \
 	tests/mesh/mesh_dumps.sh \
 	tests/mesh/mesh_primitive.sh \
 	tests/mesh/mesh_rim.sh \
+	tests/mesh/mesh_sieve.sh \
 	tests/neigh/frame.sh \
 	tests/neigh/identities.sh \
 	tests/neigh/memory.sh \

@@ -63,6 +63,7 @@ static const struct alias {
 	{ TS_KIND_DUMP, "xyz/mpiio", "xyz" },
 	{ TS_KIND_FIX, "custom_property/global", "property/global" },
 	{ TS_KIND_FIX, "heat/gran/conduction", "heat/gran" },
+	{ TS_KIND_FIX, "massflow/mesh/sieve", "massflow/mesh" },
 	{ TS_KIND_FIX, "move/mesh/file", "move/mesh" },
 	{ TS_KIND_FIX, "move/mesh/gran", "move/mesh" },
 	{ TS_KIND_FIX, "nve/bpm/sphere", "nve/sphere" },

@@ -49,6 +49,8 @@ static const struct {
 	{ "surface", "superquadric", SHAPES },
 	{ "pair gran", "capillaryModel", BRIDGES },
 	{ "pair gran", "Willett", BRIDGES },
+	{ "fix massflow/mesh", "sieveMultiSphereCanPass",
+	  "members of rigid bodies are held: a body could be stuck between its members" },
 	{ "fix wall/gran", "general_plane",
 	  "for planes at any angle use a region: `region W plane PX PY PZ NX NY NZ` and `fix ID GROUP "
 	  "wall/gran/region model ... type T region W`" },

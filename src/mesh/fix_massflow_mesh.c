@@ -15,6 +15,7 @@
 #include "particle/rank_sums.h"
 #include "rigid/rigid.h"
 #include "thermo/thermo.h"
+#include "wall/mesh_sieve.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -32,6 +33,7 @@ struct mark {
 struct passage {
 	int32_t triangle, tag;
 	int32_t body; /* its rigid body, or 0 */
+	int32_t held; /* 1: by the sieve */
 	double part;  /* of the particle in the mass of its body */
 	double mass, radius, x[3], v[3];
 	double property; /* that is summed, or 0 */
@@ -50,6 +52,8 @@ struct state {
 	int count;
 	int64_t interval;
 	bool inside_out, screen, write_time, deletes;
+	struct ts_mesh_sieve sieve;
+	bool warned; /* that the sieve is too soft */
 
 	struct ts_mesh_surface *surface;
 	struct ts_mesh_tree tree;
@@ -174,6 +178,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (has_side(s))
 		TS_TRY(check_side(self, sim));
 	TS_TRY(add_mark_column(self, sim, fresh));
+	TS_TRY(ts_mesh_sieve_init(self, sim, &s->sieve));
 	return find_property(self, sim);
 }
 
@@ -275,6 +280,20 @@ static const struct passage *passages_of(const struct state *s, size_t *n)
 	return (const struct passage *)(const void *)s->passages.data;
 }
 
+static void warn_of_soft_sieve(struct ts_instance *self, struct tsim *sim, const struct passage *p)
+{
+	struct state *s = self->state;
+
+	if (!p->held || s->warned)
+		return;
+	s->warned = true;
+	ts_warn(&sim->log, ts_instance_word(self, "sieveStiffness"),
+		"fix massflow/mesh %s: particle %" PRId32
+		" has got through the sieve that held it: it needs a higher "
+		"sieveStiffness (once told)",
+		self->id, p->tag);
+}
+
 static enum ts_status count_passage(struct state *s, struct tsim *sim, const struct passage *p)
 {
 	s->mass += p->mass;
@@ -354,13 +373,15 @@ static enum ts_status delete_bodies(struct state *s, struct tsim *sim)
 }
 
 /* Passages of all ranks, in the order of one. */
-static enum ts_status count_passages(struct state *s, struct tsim *sim)
+static enum ts_status count_passages(struct ts_instance *self, struct tsim *sim)
 {
+	struct state *s = self->state;
 	size_t n;
 	const struct passage *p = passages_of(s, &n);
 	bool bodies = false;
 
 	for (size_t k = 0; k < n; k++) {
+		warn_of_soft_sieve(self, sim, &p[k]);
 		TS_TRY(count_passage(s, sim, &p[k]));
 		bodies |= p[k].body != 0;
 	}
@@ -408,6 +429,7 @@ static enum ts_status add_passage(struct state *s, struct tsim *sim, int32_t tri
 	struct passage passage = { .triangle = triangle,
 				   .tag = p->tag[i],
 				   .body = ts_rigid_member(p, i) ? p->body[i] : 0,
+				   .held = ts_mesh_sieve_holds(&s->sieve, sim, i),
 				   .part = body_fraction(sim, i),
 				   .mass = p->mass[i],
 				   .radius = p->radius[i] };
@@ -503,6 +525,18 @@ static enum ts_status share_passages(struct state *s, struct tsim *sim)
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+/* The tree of the present mesh. */
+static enum ts_status renew_tree(struct state *s, struct tsim *sim)
+{
+	if (s->tree.n && s->moves == s->surface->moves)
+		return TS_OK;
+	ts_mesh_tree_release(&s->tree);
+	if (ts_mesh_tree_build(&s->tree, &s->surface->mesh) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->moves = s->surface->moves;
+	return TS_OK;
+}
+
 static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -511,19 +545,34 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	if (has_interval_ended(s, sim))
 		s->before = (struct mark){ s->mass, s->number, ts_sim_time(sim) - sim->clock.dt };
 	s->passages.n = 0;
-	if (!s->tree.n || s->moves != s->surface->moves) {
-		ts_mesh_tree_release(&s->tree);
-		if (ts_mesh_tree_build(&s->tree, &s->surface->mesh) != TS_OK)
-			return ts_nomem(&sim->error);
-		s->moves = s->surface->moves;
-	}
+	TS_TRY(renew_tree(s, sim));
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			TS_TRY(check_particle(s, sim, i));
 	TS_TRY(share_passages(s, sim));
 	ts_sort(s->passages.data, s->passages.n / sizeof(struct passage), sizeof(struct passage),
 		by_triangle);
-	return count_passages(s, sim);
+	return count_passages(self, sim);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (!ts_mesh_sieve_is(&s->sieve))
+		return TS_OK;
+	ts_deferred_loops_run(sim);
+	TS_TRY(renew_tree(s, sim));
+	return ts_mesh_sieve_add_forces(self, sim, &s->sieve, s->surface, &s->tree, &s->list);
+}
+
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
+{
+	const struct state *s = self->state;
+
+	if (ts_mesh_sieve_is(&s->sieve))
+		ts_mesh_sieve_ground(&s->sieve, sim, i, sum);
 }
 
 /* ---- deleting ---- */
@@ -610,6 +659,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	TS_TRY(archive_time(s, sim, a));
 	TS_TRY(ts_particles_archive_column(a, sim, "marks", s->column));
+	if (ts_mesh_sieve_is(&s->sieve))
+		TS_TRY(ts_particles_archive_column(a, sim, "sieve", s->sieve.column));
 	status = ts_archive_array(a, "doomed", TS_SAVED_I64, &doomed, &s->capacity, &s->ndoomed);
 	s->doomed = doomed;
 	return status;
@@ -652,6 +703,7 @@ static const struct ts_arg args[] = {
 	TS_WORD("sum_property", struct state, property, .flags = TS_OPTIONAL | TS_STATEFUL,
 		.help = "NAME or NAME[k], a value of fix property/atom that is summed over the particles "
 			"that pass"),
+	TS_MESH_SIEVE_ROWS(struct state, sieve),
 	TS_ARGS_END,
 };
 
@@ -699,7 +751,34 @@ const struct ts_style ts_fix_massflow_mesh = {
 	       "inner side, 1 on the outer side, 2 if it has passed and is not counted again (count "
 	       "once).\n\n"
 	       "Related: fix mesh/surface, fix property/atom.",
-	.example = "fix outlet all massflow/mesh mesh gate vec_side 0 0 -1 count once file post/outlet.txt",
+	.doc_more = (const char *const[]){ "With sieveSize the mesh is a sieve with circular openings of "
+					   "diameter D at distances P = "
+					   "sieveSpacing, on a square lattice, that are not resolved. When a "
+					   "particle of diameter d "
+					   "touches the mesh, a random number decides whether it passes, "
+					   "with the probability\n\n"
+					   "    p = pi/4 ((D - d)/P)^2,  0 for d > D, at most 1\n\n"
+					   "of a particle that comes normal to the sieve and does not touch "
+					   "the rim of an opening. Until the "
+					   "contact ends it then feels no force; otherwise it is held by the "
+					   "force sieveStiffness times the "
+					   "overlap less sieveDamping times the relative velocity, both "
+					   "normal to the mesh, at its nearest "
+					   "point. There is no friction, and the mesh does not feel the "
+					   "force. The stiffness must be so high "
+					   "that the centre of no particle gets to the other side. Members "
+					   "of rigid bodies are held. "
+					   "Particles that roll over a sieve without leaving it are decided "
+					   "upon once. The random numbers "
+					   "are functions of the ID of the fix, the atom ID and the time "
+					   "step. f_sieve_ID of a particle is 0 "
+					   "away from the mesh, 1 where it is held, 2 where it passes. For "
+					   "openings of any shape use a mesh "
+					   "with holes.",
+					   NULL },
+	.example = "fix outlet all massflow/mesh mesh gate vec_side 0 0 -1 count once file post/outlet.txt\n"
+		   "fix screen all massflow/mesh/sieve mesh deck point_at_outlet 0 0 -1 count once &\n"
+		   "    sieveSize 2e-3 sieveSpacing 2.5e-3 sieveStiffness 1e3 sieveDamping 0.1",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
@@ -707,7 +786,10 @@ const struct ts_style ts_fix_massflow_mesh = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = post_integrate,
+		  [TS_STAGE_POST_FORCE] = post_force,
 		  [TS_STAGE_EXCHANGE] = exchange,
 		  [TS_STAGE_SETUP] = setup },
+	.defers = TS_DEFERS(POST_FORCE),
+	.ground = add_ground,
 	.fini = fini,
 };

@@ -127,7 +127,8 @@ syn keyword tsimKeyword  max_rounds insertion_face extrude_length duration law r
 syn keyword tsimKeyword  oesterle saffman mei viscosity inner outer vec_side multiple
 syn keyword tsimKeyword  point_at_outlet inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
-syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
+syn keyword tsimKeyword  interval sum_property sieveSize sieveSpacing sieveStiffness
+syn keyword tsimKeyword  sieveDamping temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
 syn keyword tsimKeyword  auto_remove_duplicates surface_vel surface_ang_vel reference_point
 syn keyword tsimKeyword  stress wear finnie ctrlPV force target_val vel_max kp ki kd pid
@@ -217,11 +218,12 @@ syn keyword tsim_fix contained flow/pressure_gradient flow/scalar freeze gravity
 syn keyword tsim_fix contained heat/gran/conduction immersed/boundary insert/gap insert/jet
 syn keyword tsim_fix contained insert/pack insert/pack/dense insert/rate/region insert/stream
 syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce lubrication
-syn keyword tsim_fix contained massflow/mesh mesh/surface mesh/surface/planar mesh/surface/stress
-syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/file
-syn keyword tsim_fix contained move/mesh/gran move/mesh/free multicontact/halfspace multisphere
-syn keyword tsim_fix contained nve nve/euler nve/limit nve/noforce nve/sphere nve/bpm/sphere
-syn keyword tsim_fix contained nve/sphere/bpm nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained massflow/mesh massflow/mesh/sieve mesh/surface mesh/surface/planar
+syn keyword tsim_fix contained mesh/surface/stress mesh/surface/stress/servo momentum move
+syn keyword tsim_fix contained move/mesh move/mesh/file move/mesh/gran move/mesh/free
+syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
+syn keyword tsim_fix contained nve/noforce nve/sphere nve/bpm/sphere nve/sphere/bpm
+syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere

@@ -39,12 +39,15 @@ fix moved all move/mesh mesh tilt linear 0.3 0 0.1
 fix pass all massflow/mesh mesh gate vec_side 0 0 -1 count multiple file ${out}.gate sum_property own writeTime
 fix out all massflow/mesh mesh last vec_side 0 0 -1 count once delete_atoms yes file ${out}.csv interval 50
 fix some free massflow/mesh mesh tilt vec_side -1 0 -1 count multiple sum_property own screen yes
+fix deck all mesh/surface primitive plate length 0.2 width 0.1 move 0.06 0.03 0.04 type 1
+fix shake all move/mesh mesh deck wiggle amplitude 0 0 0.001 period 0.01
+fix screen all massflow/mesh/sieve mesh deck point_at_outlet 0.06 0.03 -1 count once sieveSize 0.008 sieveSpacing 0.006 sieveStiffness 500 sieveDamping 0.05
 compute k all ke/multisphere
 compute e all erotate/multisphere
-thermo_style custom step atoms ke f_pass[1] f_pass[2] f_pass[3] f_pass[7] f_out[1] f_out[2] f_out[4] f_out[5] f_out[6] f_some[1] f_some[2] f_some[7] press
+thermo_style custom step atoms ke f_pass[1] f_pass[2] f_pass[3] f_pass[7] f_out[1] f_out[2] f_out[4] f_out[5] f_out[6] f_screen[1] f_screen[2] f_some[1] f_some[2] f_some[7] press
 thermo_modify lost ignore format float %20.15g
 thermo 50
-dump d all custom 100 ${out}.dump id mol f_massflow_out f_massflow_some type x y z ix vx vy vz omegax omegay fx fy fz tqx
+dump d all custom 100 ${out}.dump id mol f_massflow_out f_massflow_some f_sieve_screen type x y z ix vx vy vz omegax omegay fx fy fz tqx
 dump_modify d format float %.17g sort id
 run 400
 run 400
