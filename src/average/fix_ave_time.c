@@ -44,12 +44,14 @@ static enum ts_status read_off(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Elements of each vector, as far as its style tells before it is evaluated; until the first sample they are 0. */
-static int64_t rows_told(const struct state *s)
+static int64_t rows_told(const struct state *s, const struct tsim *sim)
 {
 	const struct ts_ref *first = &s->input.item[0].ref;
 	const struct ts_value *vector =
 		first->inst && !first->index ? ts_value_find(first->inst, TS_VECTOR) : NULL;
-	const size_t width = vector ? ts_value_width(first->inst, vector) : 0;
+	const size_t width = vector	   ? ts_value_width(first->inst, vector)
+			     : first->inst ? 0
+					   : ts_ref_standard_elements(sim, first->name);
 
 	return s->mode == VECTOR && width ? (int64_t)width : 1;
 }
@@ -68,7 +70,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(read_off(self, sim));
 	if (!first)
 		return TS_OK;
-	s->rows = rows_told(s);
+	s->rows = rows_told(s, sim);
 	return ts_average_resize(self, sim, &s->average, s->input.n * (size_t)s->rows);
 }
 

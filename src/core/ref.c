@@ -246,7 +246,7 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 	unsigned shapes = 0;
 
 	if (ref->kind == TS_REF_KEYWORD)
-		return 1u << TS_SCALAR;
+		return 1u << TS_SCALAR | (ts_ref_standard_elements(sim, ref->name) ? 1u << TS_VECTOR : 0);
 	if (ref->kind == TS_REF_VARIABLE)
 		return shape_of_variable(sim, ref);
 	if (ref->kind == TS_REF_COLUMN)
@@ -447,12 +447,31 @@ enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref, const 
 	return copy_column(sim, &now, where, TS_PERATOM, out);
 }
 
+/* c_thermo_press: its n elements are keywords. */
+static enum ts_status standard_vector(struct tsim *sim, const struct ts_ref *ref, size_t n,
+				      const struct ts_place *where, struct ts_table *out)
+{
+	TS_TRY(ts_table_resize(out, n, 1));
+	for (size_t k = 0; k < n; k++) {
+		struct ts_ref element;
+		char name[32];
+
+		snprintf(name, sizeof name, "%s[%zu]", ref->name, k + 1);
+		TS_TRY(ts_ref_resolve(sim, name, where, &element));
+		TS_TRY(ts_ref_scalar(sim, &element, where, &out->data[k]));
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 			     struct ts_table *out)
 {
+	const size_t standard = ref->inst ? 0 : ts_ref_standard_elements(sim, ref->name);
 	const struct ts_value *value;
 	struct ts_ref now;
 
+	if (standard)
+		return standard_vector(sim, ref, standard, where, out);
 	if (ref->kind == TS_REF_VARIABLE)
 		return sim->script_api->vector(sim->script_api_data, ref->variable, where, out);
 	TS_TRY(refresh_ref(sim, ref, where, &now));

@@ -16,7 +16,7 @@ static bool worn(const struct ts_mesh_surface *s)
 
 static bool moves(const struct ts_mesh_surface *s)
 {
-	return s->v != NULL;
+	return s->v || s->has_mover;
 }
 
 static void get_normal_stress(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])

@@ -211,6 +211,7 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
 	struct ts_mesh_surface *s;
 
 	TS_TRY(moved_mesh(self, sim, &s));
+	s->has_mover = true;
 	if (s->v && !s->nmotions)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one that "

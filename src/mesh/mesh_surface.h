@@ -35,6 +35,7 @@ struct ts_mesh_surface {
 	/* Velocity of the surface at each corner, [triangle][corner]; within a triangle it is linear.
 	 * NULL: at rest. */
 	double (*v)[3][3];
+	bool has_mover;		       /* a mover is, or was, defined for it */
 	uint64_t moves;		       /* incremented whenever the positions of the corners change */
 	struct ts_mesh_stress *stress; /* forces on it, of fix mesh/surface/stress; else NULL */
 

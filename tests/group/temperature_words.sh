@@ -116,6 +116,15 @@ boundary p p p
 region b block 0 1 0 1 -0.5 0.5
 create_box 1 b
 compute c all temp/profile 1 1 0 yz 2 2" 'in two dimensions there is one bin along z'
+agree 'the standard pressure as a vector' "$gas
+fix p all ave/time 1 1 1 c_thermo_press c_pall mode vector
+variable w vector c_thermo_press
+variable e equal f_p[6][1]
+run 0
+print 'is sum \$(sum(v_w)) \$(pxx+pyy+pzz+pxy+pxz+pyz)'
+print 'is xx \$(f_p[1][1]) \$(pxx)'
+print 'is yz \$(v_e) \$(f_p[6][2])'
+print 'is number \$(c_thermo_press) \$(press)'"
 agree 'keywords by computes' "$gas
 variable before equal \$(temp)
 print 'is press \$(press) \$(c_pall)'

@@ -42,6 +42,17 @@ report 'three triangles, of which two have their centres in the region' $? half1
 has 'numbers of triangles' v1.vtk 'area 1 3 double' '1.1925 1.1925 0.83475 ' 'nneighs 1 3 int' '1 2 1 '
 # the surface of the third triangle is upright: the velocity is laid down into its plane
 has 'velocities' v1.vtk 'v 3 3 double' '0 2.5 0 0 2.5 0 0 0 0 '
+# a mesh with a mover has velocities before the first step, and after unfix, as in LIGGGHTS: one array in all frames
+prints "$start
+fix other all mesh/surface file flag.obj type 1
+fix lift all move/mesh mesh other linear 0 0 1.5
+dump v all mesh/vtk 1 w*.vtk area vel other
+run 1
+unfix lift
+run 1
+print ready" ready
+for frame in 0 2; do has "at rest in frame $frame" w$frame.vtk 'v 3 3 double' '0 0 0 0 0 0 0 0 0 '; done
+has 'moving' w1.vtk 'v 3 3 double' '0 0 1.5 0 0 1.5 0 0 1.5 '
 # all triangles of a warm mesh are warm
 prints "$start
 fix warm all mesh/surface file flag.obj type 1 temperature 350.5
