@@ -1,4 +1,4 @@
-/* Contact points on meshes for laws that act at a distance (model jkr).
+/* Contact points on meshes for laws that act at a distance (model jkr, liquid bridges).
  *
  * Beyond the touch a particle may interact with several triangles at once. A contact point is a local
  * minimum of the distance between the particle and the surface: a point inside of a face, or a point of an

@@ -49,16 +49,6 @@ static enum ts_status check_words(struct ts_instance *self, struct tsim *sim, co
 	return TS_OK;
 }
 
-static enum ts_status check_law(struct ts_instance *self, struct tsim *sim)
-{
-	if (!ts_wall_has_law(self->state, sim) || !ts_cohesion_bridges(ts_wall_model(self->state, sim)))
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
-		       "triangles do "
-		       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
-}
-
 /* The triangles near particles stay listed if the meshes are those of the last run: one without a set-up (`run N pre no`) does
  * not list them again. */
 static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
@@ -242,7 +232,6 @@ const struct ts_wall_shape ts_mesh_wall_shape = {
 	.sums = true,
 	.given = given,
 	.find = find,
-	.check_law = check_law,
 	.release = release,
 	.surfaces = count_surfaces,
 	.fix = fix_of_surface,

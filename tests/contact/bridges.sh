@@ -236,6 +236,45 @@ report 'bed: bridges break' $?
 rows out | awk 'NR == 1 { was = $4 } NR < 8 { d = $4/was - 1; if (!(d*d < 1e-26)) { print; bad = 1 } } END { exit bad || NR < 12 }' >kept
 report 'bed: the liquid stays' $? kept
 
+# Meshes, and height fields: bridges beyond the touch, from triangle to triangle, as at a plane; a run cut while there are some.
+plate 7 0 >plate.stl
+sed 's/boundary.*/boundary f f f/; s/box block.*/box block -0.02 0.032 -0.02 0.032 -0.001 0.03 units box/
+	s/^dump.*/dump wet all custom 100 wet*.txt id x y z f_surfaceLiquidContent fx fy fz tqx\ndump_modify wet sort id format float %.10g/' \
+	"$top_srcdir/tests/decks/in.bridges" >in.plane
+sed 's/primitive type 1 zplane 0.0/mesh n_meshes 1 meshes plate/
+	s/^fix.*floor.*/fix plate all mesh\/surface file plate.stl type 1 scale 0.05 move 0.006 0.006 0\n&/' in.plane >in.mesh
+sed 's/primitive type 1 zplane 0.0/voxels heights/
+	s/^fix.*floor.*/fix heights all surface\/voxel constant 0 type 1 cells 11 13\n&/' in.plane >in.field
+for floor in plane mesh field; do
+	rm -f wet*.txt
+	"$TSIM" -in in.$floor -log none >out 2>&1
+	report "bed on a $floor" $? out
+	cat wet?00.txt >bed.$floor
+done
+same 'bed on a mesh' bed.plane bed.mesh
+same 'bed on a height field' bed.plane bed.field
+sed 's/^run.*//' in.mesh >in.both
+{ cat in.both; printf '%s\n' 'run 130' 'write_restart half.restart' 'run 170'; } >in.whole
+{ echo 'read_restart half.restart'; sed '/^units\|^atom_style\|^boundary\|^newton\|^region.*box\|^create\|^lattice\|^set\|^displace\|^velocity/d' in.both; echo 'run 170'; } >in.again
+resumes 'bed on a mesh' rows 4
+# Over the corner of a step of two triangles: a wet grain is drawn by both faces, each as by a plane.
+printf '%s\n' '-1 -1 0 1 -1 0 0 1 0' '0 -1 0 0 1 0 0 0 1' | solid >corner.stl
+corner() { # WALLS
+	sed '/^fix.*floor/d; /^create_atoms/d; /^run/d; /^displace/d; /^velocity/d; /^set.*region/d; /^fix.*g all/d; /^dump/d' in.plane
+	printf '%s\n' 'create_atoms 1 single 0.00095 0.0001 0.00095 units box' 'set group all diameter 1.9e-3 density 2500' "$@" \
+		'set atom 1 x 0.000949 z 0.000949' 'run 1' 'set atom 1 x 0.00097 z 0.00096 vx 0 vy 0 vz 0' 'run 0' \
+		'print "corner $(fx[1]:%.10g) $(fy[1]:%.5g) $(fz[1]:%.10g)"'
+}
+corner 'fix w all wall/gran model hertz tangential history cohesion easo/capillary/viscous primitive type 1 zplane 0' \
+	'fix v all wall/gran model hertz tangential history cohesion easo/capillary/viscous primitive type 1 xplane 0' >in.script
+"$TSIM" -in in.script -log none 2>&1 | grep '^corner [-0-9]' >planes
+corner 'fix corner all mesh/surface file corner.stl type 1 scale 0.01' \
+	'fix w all wall/gran model hertz tangential history cohesion easo/capillary/viscous mesh n_meshes 1 meshes corner' >in.script
+"$TSIM" -in in.script -log none 2>&1 | grep '^corner [-0-9]' >meshes
+same 'a corner' planes meshes
+awk '$2 < -1e-5 && $4 < -1e-5 { n++ } END { exit n != 1 }' meshes
+report 'both faces draw' $? meshes
+
 # what is refused
 one() { # LINES...
 	scene 1e-5
@@ -252,8 +291,6 @@ rejects "$(one 'unfix l2')" 'surfaceTension'
 rejects "$(one 'unfix l1')" 'surfaceLiquidContentInitial'
 rejects "$(one "${wall/$easo/$washino} -5e-4")" 'washino/capillary/viscous is for particles alone'
 rejects "$(one 'pair_style gran model hertz' 'pair_coeff * *' "$wall -5e-4")" 'particles are dry'
-rejects "$(one 'fix plate all mesh/surface file plate.stl type 1 scale 0.005' \
-	"${wall/primitive*/mesh n_meshes 1 meshes plate}")" 'which contacts with triangles do not follow'
 for before in 'run 0' ''; do # a dry mesh beside wet particles: the law of the particles is known after a run
 	prints "$(one 'fix plate all mesh/surface file plate.stl type 1 scale 0.005 move 0 0 -0.002' "$before" \
 		'fix plates all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate')

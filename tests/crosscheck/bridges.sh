@@ -1,10 +1,13 @@
 #!/bin/bash
 # Bridges of liquid by LIGGGHTS 3.8, an independent program: pull, drag and torque in the touch and beyond, where bridges are
-# made and break, and what becomes of their liquid; three spheres, one of them between two; a plane.
+# made and break, and what becomes of their liquid; three spheres, one of them between two; a plane, and a mesh.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 needs liggghts
 needs /usr/bin/python3 python3
+# shellcheck source=tests/lib_meshes.sh
+. "$top_srcdir/tests/lib_meshes.sh"
+plate 4 0 >plate.stl
 
 columns='id x y z fx fy fz tqx tqy tqz f_surfaceLiquidContent'
 # agrees WHAT LAW X V W ANGLES MOST STEPS WALL [LEGACY]
@@ -49,5 +52,8 @@ agrees 'share of the liquid' "$washino modifyLbVolume on" 1.098e-3 0.05 0 '0 0' 
 for most in 1.3 1.05; do
 	agrees "a plane, to $most" $easo 1.098e-3 0.02 10 '0 0' $most 3700 \
 		"fix w all wall/gran model hertz tangential history cohesion $easo primitive type 2 yplane -4.99e-4"
+	agrees "a mesh, to $most" $easo 1.098e-3 0.02 10 '0 0' $most 3700 \
+		"fix plate all mesh/surface file plate.stl type 2 scale 0.005 rotate axis 1 0 0 angle 90 move 0 -4.99e-4 0
+fix w all wall/gran model hertz tangential history cohesion $easo mesh n_meshes 1 meshes plate"
 done
 finish

@@ -17,7 +17,8 @@ for deck in insertion rigid tracers heat pour clumps receding surface_heat multi
 cp "$decks/in.jet" in.nozzle
 sed 's/^run.*/run 250/' "$decks/in.gap" >in.gap
 # Liquid, and contacts as in LIGGGHTS.
-sed 's/^run.*/run 120/; s/^dump.*/&\ndump_modify wet format float %.17g/' "$decks/in.bridges" >in.bridges
+sed 's/^run.*/run 120/; s/^dump.*/&\ndump_modify wet format float %.17g/
+	s/^fix.*floor.*/&\nfix tilt all mesh\/surface primitive plate length 0.008 width 0.006 rotate axis 0 1 0 angle 30 move 0.006 0.006 0.004 type 2\nfix tilted all wall\/gran model hertz tangential history cohesion easo\/capillary\/viscous mesh n_meshes 1 meshes tilt/' "$decks/in.bridges" >in.bridges
 sed '1s/^/legacy yes\n/; s/^run.*/run 200/' in.drum >in.legacy
 # Height fields, one of which is pressed on a plane.
 sed 's/^dump_modify.*/&\ncompute pressed all surface\/contact rough winkler 1e6 pressure 5e3\ncompute pi all active\/pi pressed radius 0.005 fraction 0.1 deviation 0.001 hardness 1e9\ncompute pml all active\/pml pressed radius 0.005 fraction 0.1/
