@@ -259,6 +259,7 @@ shell_tests = \
 	tests/wall/fast.sh \
 	tests/wall/meshes.sh \
 	tests/wall/region_walls.sh \
+	tests/wall/seams.sh \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
 	tests/wear/erosion_laws.sh \

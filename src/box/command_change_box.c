@@ -263,6 +263,7 @@ static enum ts_status change_box(struct tsim *sim, void *state, const struct ts_
 
 	TS_TRY(ts_domain_refuse_shear(sim, "change_box", where));
 	ts_domain_units_said(sim, w.state->units, where);
+	TS_TRY(ts_exchange_migrate(sim)); /* the last list may be older than the positions */
 	memcpy(w.now.lo, domain->box.lo, sizeof w.now.lo);
 	memcpy(w.now.hi, domain->box.hi, sizeof w.now.hi);
 	w.set = w.now;
@@ -301,7 +302,7 @@ const struct ts_command_style ts_command_change_box = {
 		       "Particle positions do not change except by remap, which maps the particles of the "
 		       "group from the reference box to the current one, x -> lo' + (x - lo) l'/l. The "
 		       "reference is the box at the last set or remap, or that before the command.\n\n"
-		       "Finally positions are wrapped into the periodic box, particles outside of fixed faces "
+		       "Before and finally positions are wrapped into the periodic box, particles outside of fixed faces "
 		       "are lost (see thermo_modify lost), faces of style s and m are fitted to the "
 		       "particles, and the new box becomes the minimum box of m faces. In dimensions that are "
 		       "no longer periodic the image counts (ix iy iz) are set to 0.",

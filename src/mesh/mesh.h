@@ -10,7 +10,8 @@
  *   edge    between two flat neighbours: in none; else in the last of the triangles that share it
  *   corner  in the last of the triangles around it, unless no edge that ends there is active, or two
  *           of these edges are collinear
- * Two triangles are flat neighbours if the angle between their planes is less than `curvature`. */
+ * Two triangles are flat neighbours if the angle between their planes is less than `curvature`. Where they bulge, spheres above
+ * an edge or corner that is not active touch the last of the triangles there: mesh_touch.c. */
 #ifndef TS_MESH_MESH_H
 #define TS_MESH_MESH_H
 

@@ -37,15 +37,94 @@ static enum ts_mesh_part touch_face(const struct ts_mesh *m, size_t t, const dou
 	return TS_MESH_FACE;
 }
 
+/* ---- seams of flat neighbours
+ *
+ * No edge or corner is active where the surface is flat to `curvature`. If it bulges there, a strip above the edge is
+ * beyond the faces of both triangles: the last of them has the contact, as one with its face. */
+
+/* The corner of triangle t that coincides with point x of the same vertex; 3: none, as of a periodic image. */
+static int coincident_corner(const struct ts_mesh *m, size_t t, int32_t vertex, const double x[3])
+{
+	double tolerance = ts_mesh_tolerance(m, t);
+	int k = 0;
+
+	while (k < 3 && (m->vertex[t][k] != vertex || ts_distance2(m->x[t][k], x) > tolerance * tolerance))
+		k++;
+	return k;
+}
+
+static bool is_flat_neighbour(const struct ts_mesh *m, size_t t, int32_t other)
+{
+	return other >= 0 && !ts_mesh_is_removed(m, (size_t)other) &&
+	       ts_mesh_flat_neighbours(m, t, (size_t)other);
+}
+
+static double inside_limit(const struct ts_mesh *m, size_t t)
+{
+	return -ts_mesh_tolerance(m, t) / (2 * m->reach[t]);
+}
+
+/* Whether triangle t has the contact above its edge k, beside which x is not above its face. */
+static bool owns_seam_edge(const struct ts_mesh *m, size_t t, int k, const double x[3])
+{
+	const int32_t other = m->neighbour[t][k];
+	double arm[3], weight[3];
+	int a, b;
+
+	if (m->legacy || !is_flat_neighbour(m, t, other) || (size_t)other > t)
+		return false;
+	a = coincident_corner(m, (size_t)other, m->vertex[t][k], m->x[t][k]);
+	b = coincident_corner(m, (size_t)other, m->vertex[t][(k + 1) % 3], m->x[t][(k + 1) % 3]);
+	if (a > 2 || b > 2)
+		return false;
+	ts_sub(x, m->x[other][0], arm);
+	barycentric_weights(m, (size_t)other, arm, weight);
+	return !(weight[3 - a - b] > inside_limit(m, (size_t)other));
+}
+
+/* Whether x is farther from the edges of triangle t that meet in its corner k than from the corner. */
+static bool is_beyond_corner(const struct ts_mesh *m, size_t t, int k, const double arm[3])
+{
+	double tolerance = ts_mesh_tolerance(m, t);
+
+	return ts_dot(arm, m->along[t][k]) < -tolerance && ts_dot(arm, m->along[t][(k + 2) % 3]) > tolerance;
+}
+
+/* Whether triangle t has the contact above its corner k: x is beyond that corner of all triangles around it, which are flat
+ * neighbours, and t is the last of them. */
+static bool owns_seam_corner(const struct ts_mesh *m, size_t t, int k, const double x[3])
+{
+	size_t at = t, steps = 0;
+	int corner = k, edge = k;
+	double arm[3];
+
+	ts_sub(x, m->x[t][k], arm);
+	do {
+		const int32_t next = m->neighbour[at][edge];
+
+		if (m->legacy || !is_flat_neighbour(m, at, next) || (size_t)next > t || steps++ > m->n ||
+		    !is_beyond_corner(m, at, corner, arm))
+			return false;
+		corner = coincident_corner(m, (size_t)next, m->vertex[t][k], m->x[t][k]);
+		if (corner > 2)
+			return false;
+		edge = m->neighbour[next][corner] == (int32_t)at ? (corner + 2) % 3 : corner;
+		at = (size_t)next;
+	} while (at != t);
+	return true;
+}
+
 static enum ts_mesh_part touch_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
 				      struct ts_mesh_contact_point *s)
 {
-	if (!ts_mesh_corner_active(m, t, k))
+	const bool active = ts_mesh_corner_active(m, t, k);
+
+	if (!active && !owns_seam_corner(m, t, k, x))
 		return TS_MESH_NOTHING;
 	for (int d = 0; d < 3; d++)
 		s->weight[d] = d == k;
 	set_direction(m->x[t][k], x, s);
-	return TS_MESH_CORNER;
+	return active ? TS_MESH_CORNER : TS_MESH_FACE;
 }
 
 static enum ts_mesh_part touch_edge(const struct ts_mesh *m, size_t t, int k, const double x[3],
@@ -53,6 +132,7 @@ static enum ts_mesh_part touch_edge(const struct ts_mesh *m, size_t t, int k, co
 {
 	const double *along = m->along[t][k];
 	double length = m->length[t][k], tolerance = ts_mesh_tolerance(m, t), arm[3], position, point[3];
+	const bool active = ts_mesh_edge_active(m, t, k);
 
 	ts_sub(x, m->x[t][k], arm);
 	position = ts_dot(arm, along);
@@ -60,7 +140,7 @@ static enum ts_mesh_part touch_edge(const struct ts_mesh *m, size_t t, int k, co
 		return touch_corner(m, t, k, x, s);
 	if (position > length + tolerance)
 		return touch_corner(m, t, (k + 1) % 3, x, s);
-	if (!ts_mesh_edge_active(m, t, k))
+	if (!active && !owns_seam_edge(m, t, k, x))
 		return TS_MESH_NOTHING;
 	s->weight[k] = 1 - position / length;
 	s->weight[(k + 1) % 3] = position / length;
@@ -68,7 +148,7 @@ static enum ts_mesh_part touch_edge(const struct ts_mesh *m, size_t t, int k, co
 	for (int d = 0; d < 3; d++)
 		point[d] = m->x[t][k][d] + position * along[d];
 	set_direction(point, x, s);
-	return TS_MESH_EDGE;
+	return active ? TS_MESH_EDGE : TS_MESH_FACE;
 }
 
 /* The projection is beyond both edges of corner k; if the angle of the corner is obtuse, the nearest point
@@ -93,7 +173,7 @@ static enum ts_mesh_part touch_beyond_corner(const struct ts_mesh *m, size_t t, 
 enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *m, size_t t, const double x[3],
 				  struct ts_mesh_contact_point *s)
 {
-	double arm[3], least = -ts_mesh_tolerance(m, t) / (2 * m->reach[t]);
+	double arm[3], least = inside_limit(m, t);
 	int inside = 0, negative = 0;
 
 	ts_sub(x, m->x[t][0], arm);

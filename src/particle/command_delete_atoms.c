@@ -32,29 +32,41 @@ struct state {
 };
 enum part { FRACTION, COUNT };
 
-/* Marks a particle of `group` if the distance to a particle of `other` that is kept is below the cutoff.
- * Particles are processed in the order of their tags, so that the result does not depend on the order in
- * memory. */
+/* Particles that delete_atoms overlap compares with those of `other` that are kept: of `other` alone, of both groups, of
+ * `group` alone. */
+enum part_of { OTHER_ALONE, BOTH, GROUP_ALONE };
+
+static enum ts_status mark_overlaps_of(struct tsim *sim, const struct state *s, enum part_of part,
+				       const struct ts_identities *map, struct ts_pointhash *hash,
+				       unsigned char *flag)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t k = 0; k < map->n; k++) {
+		size_t i = (size_t)map->row[k];
+		bool in_group = ts_in_group(p, i, s->group), in_other = ts_in_group(p, i, s->other);
+
+		if (in_group != (part != OTHER_ALONE) || in_other != (part != GROUP_ALONE))
+			continue;
+		if (in_group)
+			flag[i] = ts_pointhash_near_periodic(hash, &sim->domain->box, p->x[i], s->cutoff);
+		if (!flag[i] && in_other && ts_pointhash_add(hash, p->x[i]) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+/* Marks a particle of `group` if the distance to a particle of `other` that is kept is below the cutoff. Particles are
+ * processed in the order of their tags, so that the result does not depend on the order in memory; those of `group` alone
+ * come last, when it is known which of `other` are kept. */
 static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s, struct ts_pointhash *hash,
 				    unsigned char *flag)
 {
-	struct ts_particles *p = sim->particles;
 	struct ts_identities map;
 
 	TS_TRY(ts_identities(sim, true, &map));
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, s->other) && !ts_in_group(p, i, s->group) &&
-		    ts_pointhash_add(hash, p->x[i]) != TS_OK)
-			return ts_nomem(&sim->error);
-	for (size_t k = 0; k < map.n; k++) {
-		size_t i = (size_t)map.row[k];
-
-		if (!ts_in_group(p, i, s->group))
-			continue;
-		flag[i] = ts_pointhash_near_periodic(hash, &sim->domain->box, p->x[i], s->cutoff);
-		if (!flag[i] && ts_in_group(p, i, s->other) && ts_pointhash_add(hash, p->x[i]) != TS_OK)
-			return ts_nomem(&sim->error);
-	}
+	for (int part = OTHER_ALONE; part <= GROUP_ALONE; part++)
+		TS_TRY(mark_overlaps_of(sim, s, (enum part_of)part, &map, hash, flag));
 	return TS_OK;
 }
 
@@ -274,7 +286,8 @@ const struct ts_command_style ts_command_delete_atoms = {
 		       "and IDs of deleted particles are not used again.\n\n"
 		       "overlap processes the particles in the order of their atom IDs. Of two particles\n"
 		       "that belong to both groups and are closer than the cutoff, the one with the\n"
-		       "smaller ID is kept.",
+		       "smaller ID is kept. Particles of the first group alone are compared with those\n"
+		       "of the second group that are left.",
 		.example = "delete_atoms group loose\n"
 			   "delete_atoms region hole\n"
 			   "delete_atoms overlap 0.001 all all\n"

@@ -206,13 +206,15 @@ static void include_fix_extents(const struct tsim *sim, int dim, double *lo, dou
 			fixes->item[k]->style->extent(fixes->item[k], dim, lo, hi);
 }
 
-static void fit_faces(const struct tsim *sim, int dim)
+void ts_exchange_fitted_faces(const struct tsim *sim, int dim, double *face_lo, double *face_hi)
 {
-	struct ts_domain *d = sim->domain;
+	const struct ts_domain *d = sim->domain;
 	const struct ts_particles *p = sim->particles;
 	double margin = ts_domain_margin(d, dim);
 	double lo = INFINITY, hi = -INFINITY;
 
+	*face_lo = d->box.lo[dim];
+	*face_hi = d->box.hi[dim];
 	if (d->box.face[dim][0] < TS_FACE_SHRINK && d->box.face[dim][1] < TS_FACE_SHRINK)
 		return; /* neither face is shrink-wrapped */
 
@@ -226,13 +228,13 @@ static void fit_faces(const struct tsim *sim, int dim)
 	if (!(lo <= hi))
 		return;
 	if (d->box.face[dim][0] == TS_FACE_SHRINK)
-		d->box.lo[dim] = lo - margin;
+		*face_lo = lo - margin;
 	else if (d->box.face[dim][0] == TS_FACE_MINIMUM)
-		d->box.lo[dim] = fmin(lo - margin, d->first_lo[dim]);
+		*face_lo = fmin(lo - margin, d->first_lo[dim]);
 	if (d->box.face[dim][1] == TS_FACE_SHRINK)
-		d->box.hi[dim] = hi + margin;
+		*face_hi = hi + margin;
 	else if (d->box.face[dim][1] == TS_FACE_MINIMUM)
-		d->box.hi[dim] = fmax(hi + margin, d->first_hi[dim]);
+		*face_hi = fmax(hi + margin, d->first_hi[dim]);
 }
 
 /* Moves shrink-wrapped faces (boundary s and m) to the particles. */
@@ -242,7 +244,7 @@ static void fit_all_faces(struct tsim *sim)
 		const enum ts_face *face = sim->domain->box.face[dim];
 
 		sim->run.box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
-		fit_faces(sim, dim);
+		ts_exchange_fitted_faces(sim, dim, &sim->domain->box.lo[dim], &sim->domain->box.hi[dim]);
 	}
 }
 

@@ -10,6 +10,8 @@
 /* Wraps positions into the periodic box, deletes particles outside of fixed faces (enum ts_lost says whether
  * with a warning or an error; none while sim->run.relist), fits shrink-wrapped faces, and drops the ghosts. */
 enum ts_status ts_exchange_migrate(struct tsim *sim);
+/* Where the faces of this dimension lie if those of style s and m are moved to the present particles. */
+void ts_exchange_fitted_faces(const struct tsim *sim, int dim, double *lo, double *hi);
 
 /* Stores the present positions (xhold) and box as those from which the contact list is built. */
 void ts_exchange_hold(struct tsim *sim);

@@ -5,6 +5,8 @@
 
 #include "box/domain.h"
 #include "io/decimal.h"
+#include "particle/exchange.h"
+#include "particle/group_moments.h"
 #include "particle/identity.h"
 #include "particle/molecule.h"
 #include "particle/sphere_shape.h"
@@ -57,8 +59,6 @@ static void add_whole(struct ts_str *out, const char *before, int value)
 
 static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_counts counts)
 {
-	const struct ts_box *box = &sim->domain->box;
-
 	ts_str_addf(out, "LAMMPS data file by tsim\n\n%zu atoms\n%d atom types\n", sim->particles->n,
 		    sim->particles->ntypes);
 	if (counts.bond_types)
@@ -66,9 +66,11 @@ static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_coun
 	ts_str_add(out, "\n");
 	for (int d = 0; d < 3; d++) {
 		struct ts_str line = { 0 };
+		double lo, hi;
 
-		add_number(&line, box->lo[d]);
-		add_number(&line, box->hi[d]);
+		ts_exchange_fitted_faces(sim, d, &lo, &hi);
+		add_number(&line, lo);
+		add_number(&line, hi);
 		out->failed |= line.failed; /* else it begins with a blank */
 		if (!line.failed)
 			ts_str_addf(out, "%s %clo %chi\n", line.text + 1, 'x' + d, 'x' + d);
@@ -80,13 +82,16 @@ static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool 
 {
 	const struct ts_particles *p = sim->particles;
 	const double *molecule = ts_particles_molecules(p);
+	int32_t image[3];
+	double x[3];
 
+	ts_wrapped(sim, i, x, image);
 	add_whole(out, "", p->tag[i]);
 	add_whole(out, " ", p->type[i]);
 	for (int k = 0; k < 2; k++) {
 		if (!k == hybrid) {
 			for (int d = 0; d < 3; d++)
-				add_number(out, p->x[i][d]);
+				add_number(out, x[d]);
 		} else {
 			add_number(out, 2 * p->radius[i]);
 			add_number(out, density_of(p->mass[i], ts_particle_volume(sim, p->radius[i])));
@@ -95,7 +100,7 @@ static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool 
 	if (hybrid)
 		add_whole(out, " ", molecule ? (int)molecule[i] : 0);
 	for (int d = 0; d < 3; d++)
-		add_whole(out, " ", p->image[i][d]);
+		add_whole(out, " ", image[d]);
 	ts_str_add_n(out, "\n", 1);
 }
 

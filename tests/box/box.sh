@@ -132,4 +132,35 @@ rejects 'region box prism 0 1 0 1 0 1 0.1 0 0
 create_box 1 box' 'tilted faces are not supported'
 rejects 'region box block 0 1 0 1 0 1
 create_box 1 box angle/types 2' 'no angles'
+# change_box and write_data take the present positions, also where the last list is older: of particles that have crossed a periodic
+# face, or have left faces of style s behind; at any skin.
+travel() { # FACES SKIN LINES...: two particles that have moved by 0.03 since the list was built
+	printf '%s\n' "units si
+atom_style sphere
+boundary $1
+newton off
+comm_modify vel yes
+region bx block -1 1 -1 1 -1 1 units box
+create_box 1 bx
+create_atoms 1 single 0.98 0 0 units box
+create_atoms 1 single -0.5 0 0 units box
+set group all diameter 0.1 density 1000
+pair_style gran/hooke/history 300 NULL 5 NULL 0.5 1
+pair_coeff * *
+timestep 1e-3
+neighbor $2 bin
+fix 1 all nve/sphere
+velocity all set 1 0 0 units box
+run 30" "${@:3}"
+}
+for skin in 0.001 0.1; do
+	agree "a periodic box grows, skin $skin" "$(travel 'p p p' $skin 'change_box all x delta 0 0.3 units box' \
+		"print 'is lo \$(bound(all,xmin)) -0.99 100'" "print 'is hi \$(bound(all,xmax)) -0.47 100'")"
+	agree "a periodic face becomes fixed, skin $skin" "$(travel 'p p p' $skin 'change_box all boundary f p p' \
+		"print 'is n \$(count(all)) 2'" "print 'is x \$(x[1]) -0.99 100'")"
+	agree "a face that shrinks becomes fixed, skin $skin" "$(travel 's f f' $skin 'change_box all boundary f f f' \
+		"print 'is n \$(count(all)) 2'" "print 'is hi \$(xhi>=x[1]) 1'")"
+	agree "a data file, skin $skin" "$(travel 's p f' $skin 'write_data now.data' 'clear' 'units si' 'atom_style sphere' \
+		'boundary f p f' 'read_data now.data' "print 'is n \$(count(all)) 2'" "print 'is x \$(x[1]) 1.01 100'")"
+done
 finish

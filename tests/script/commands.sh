@@ -73,6 +73,18 @@ good 'random without overlap' "units si
 $box
 create_atoms 1 random 200 86028157 NULL overlap 0.1
 delete_atoms overlap 0.1 all all" 'Created 200 atoms' 'Deleted 0 atoms, new total = 200'
+good 'overlap of a part' "units si
+boundary f f f
+$box
+create_atoms 1 single 0.5 0.5 0.5
+create_atoms 2 single 0.52 0.5 0.5
+create_atoms 1 single 0.54 0.5 0.5
+create_atoms 2 single 0.8 0.5 0.5
+create_atoms 2 single 0.81 0.5 0.5
+group b type 2
+delete_atoms overlap 0.03 all b
+group left id 2 4
+print 'left \$(count(all)) \$(count(left))'" 'Deleted 3 atoms, new total = 2' 'left 2 2'
 good 'too many' "units si
 $box
 create_atoms 1 random 50 86028157 NULL overlap 0.5 maxtry 100" 'in.script:4: warning: only 6 of 50 particles could be placed, with 100 tries each'
