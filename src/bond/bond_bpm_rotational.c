@@ -60,12 +60,10 @@ TS_INLINE bool rotational_law(const void *coeff, struct ts_bond_element *e, cons
 
 	ts_bond_elastic(e, s, out);
 	ts_bpm_damage(c->critical, out);
-	if (whole) {
-		const double w = c->smooth ? ts_bpm_smoothing(out) : 1;
-
-		ts_bpm_scale(w, e, out);
+	out->smoothed = c->smooth ? ts_bpm_smoothing(out) / 3 : 0;
+	ts_bpm_scale(1 - 3 * out->smoothed, e, out);
+	if (whole)
 		ts_bond_viscous(e, s, out);
-	}
 	return ts_bond_holds(e, out);
 }
 
@@ -153,8 +151,9 @@ const struct ts_bond_style ts_bond_bpm_rotational = {
 			  "  B = f_r/f_rc + |f_s|/f_sc + |tau_b|/tau_bc + |tau_t|/tau_tc\n\n"
 			  "reaches 1, f_r > 0 in tension. All forces and moments are multiplied by w = 1 - "
 			  "B^4 (B > 0), with `smooth no` by 1. The dashpots gamma_n, gamma_s, gamma_r and "
-			  "gamma_t act parallel to the four springs, also multiplied by w. With `normalize "
-			  "yes` k_r and k_s are divided by r0.",
+			  "gamma_t act parallel to the four springs, also multiplied by w. The elastic "
+			  "energy is multiplied by 1 - B^4/3, the integral where all loads grow in "
+			  "proportion. With `normalize yes` k_r and k_s are divided by r0.",
 		   .doc_more = more,
 		   .example = "special_bonds lj 0 1 1 coul 1 1 1\n"
 			      "bond_style bpm/rotational store/local broken 1000 time id1 id2\n"

@@ -122,10 +122,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
 
 		for (size_t i = 0; i < list->n; i++) {
-			list->item[i]->removals = sim->removals;
-			if (list->item[i]->style->init)
-				TS_TRY(ts_sim_defer_error(sim,
-							  list->item[i]->style->init(list->item[i], sim)));
+			TS_TRY(ts_sim_defer_error(sim, ts_instance_init(list->item[i], sim)));
 			TS_TRY(ts_sim_defer_error(sim, ts_refs_check(sim, list->item[i])));
 			TS_TRY(append_hooks(plan, sim, list->item[i]));
 		}

@@ -38,13 +38,23 @@ size_t ts_value_width(const struct ts_instance *inst, const struct ts_value *val
 	return value->columns || !inst->style->width ? value->columns : inst->style->width(inst);
 }
 
-/* Between runs what a compute has found may have been deleted, or defined anew: it looks again, or says what is gone. */
-static enum ts_status find_again(struct ts_instance *inst, struct tsim *sim)
+enum ts_status ts_instance_init(struct ts_instance *inst, struct tsim *sim)
+{
+	const uint64_t before = inst->removals;
+	enum ts_status status;
+
+	inst->removals = sim->removals; /* init may evaluate outputs */
+	status = inst->style->init ? inst->style->init(inst, sim) : TS_OK;
+	if (status != TS_OK)
+		inst->removals = before; /* what it points to may be gone */
+	return status;
+}
+
+enum ts_status ts_value_find_again(struct ts_instance *inst, struct tsim *sim)
 {
 	if (inst->removals == sim->removals || sim->run.inside || inst->style->kind != TS_KIND_COMPUTE)
 		return TS_OK;
-	inst->removals = sim->removals;
-	return inst->style->init ? inst->style->init(inst, sim) : TS_OK;
+	return ts_instance_init(inst, sim);
 }
 
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
@@ -55,7 +65,7 @@ enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const s
 
 	if (out == &inst->table)
 		inst->cached = NULL;
-	TS_TRY(find_again(inst, sim));
+	TS_TRY(ts_value_find_again(inst, sim));
 	if (value->shape == TS_SCALAR || (value->shape == TS_VECTOR && columns))
 		if (ts_table_resize(out, 1, columns) != TS_OK)
 			return ts_nomem(&sim->error);

@@ -51,6 +51,11 @@ bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value
 const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape);
 /* The number of columns of this output, or of elements of a vector; 0: known only after evaluation. */
 size_t ts_value_width(const struct ts_instance *inst, const struct ts_value *value);
+/* Calls the init of a style, which finds what it points to. */
+enum ts_status ts_instance_init(struct ts_instance *inst, struct tsim *sim);
+/* Between runs: if styles were deleted or defined anew since the init of a compute, finds again what it reads, or says what is
+ * gone. ts_value_eval calls it; those that use the state of a compute do before. */
+enum ts_status ts_value_find_again(struct ts_instance *inst, struct tsim *sim);
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out);
 

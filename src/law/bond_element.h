@@ -67,6 +67,7 @@ struct ts_bond_answer {
 	double axial;			    /* normal force with damping */
 	double tension, shear, compression; /* largest stresses of the section, without damping */
 	double cosine;			    /* of half the angle |phi| */
+	double smoothed; /* part of the elastic energy that a law which smooths its forces takes away */
 };
 
 TS_INLINE struct ts_xyz ts_xyz_cross(struct ts_xyz a, struct ts_xyz b)
@@ -190,6 +191,7 @@ TS_INLINE void ts_bond_elastic(const struct ts_bond_element *e, const struct ts_
 	out->torque[1] = ts_xyz_add(bend, -energy * (1 - e->fraction), ts_xyz_cross(tb, across));
 	out->load[TS_BOND_NORMAL] = out->axial = pull;
 	out->load[TS_BOND_SHEAR] = ks * sqrt(ts_xyz_dot(across, across));
+	out->smoothed = 0;
 }
 
 /* Dashpots parallel to the four springs. */
@@ -239,7 +241,7 @@ static inline void ts_bond_energies(const struct ts_bond_element *e, const struc
 				    double energy[TS_BOND_MODES])
 {
 	for (int k = 0; k < TS_BOND_MODES; k++)
-		energy[k] = e->k[k] > 0 ? 0.5 * s->load[k] * s->load[k] / e->k[k] : 0;
+		energy[k] = e->k[k] > 0 ? 0.5 * s->load[k] * s->load[k] / e->k[k] * (1 - s->smoothed) : 0;
 }
 
 /* Squared angular frequency of the fastest vibration of the two bodies, with dashpots that count as

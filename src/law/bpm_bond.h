@@ -11,7 +11,8 @@
  *
  *   B = f_r/f_rc + |f_s|/f_sc + |tau_b|/tau_bc + |tau_t|/tau_tc,   f_r > 0 in tension,
  *
- * reaches 1; its forces, and dashpots, are multiplied by 1 - max(B, 0)^4. */
+ * reaches 1; its forces, and dashpots, are multiplied by 1 - max(B, 0)^4, its energy by 1 - max(B, 0)^4/3: their integral where
+ * all loads grow in proportion. On other ways forces of this form have no potential. */
 #ifndef TS_LAW_BPM_BOND_H
 #define TS_LAW_BPM_BOND_H
 
@@ -41,12 +42,12 @@ TS_INLINE void ts_bpm_damage(const double critical[TS_BOND_MODES], struct ts_bon
 	out->compression = 0;
 }
 
-/* 1 - B^4, after ts_bpm_damage. */
+/* B^4, after ts_bpm_damage. */
 TS_INLINE double ts_bpm_smoothing(const struct ts_bond_answer *a)
 {
 	const double b = fmax(a->tension, a->shear), b2 = b * b;
 
-	return 1 - b2 * b2;
+	return b2 * b2;
 }
 
 /* Multiplies forces and dashpots by w. */

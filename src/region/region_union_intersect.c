@@ -48,7 +48,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_region_init(self, sim));
 	s->parts = 0;
 	for (size_t k = 0; k < s->names.n; k++) {
-		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &s->member[k]));
+		struct ts_instance *member;
+
+		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &member));
+		s->member[k] = member; /* else the deleted one, which is kept, stays */
 		s->parts += count_parts(s->member[k]);
 		s->region.varies |= ts_region_varies(s->member[k]);
 		s->region.reshapes |= ts_region_reshapes(s->member[k]);

@@ -130,7 +130,7 @@ static enum ts_status say_failure(struct ts_instance *self, const struct ts_roug
 	return ts_nomem(error);
 }
 
-enum ts_status ts_pressed_surface_solve(struct ts_instance *self)
+static enum ts_status solve(struct ts_instance *self)
 {
 	struct ts_pressed_surface *s = self->state;
 	const struct ts_voxel_field *f = s->field;
@@ -164,6 +164,14 @@ enum ts_status ts_pressed_surface_solve(struct ts_instance *self)
 	s->solved = status == TS_OK;
 	s->solved_pressure = p.mean_pressure;
 	return s->solved ? TS_OK : say_failure(self, &p, status);
+}
+
+enum ts_status ts_pressed_surface_solve(struct ts_instance *self)
+{
+	struct ts_pressed_surface *s = self->state;
+
+	TS_TRY(ts_value_find_again(self, s->sim)); /* whoever reads it: its surfaces may have been deleted */
+	return solve(self);
 }
 
 void ts_pressed_surface_release(struct ts_pressed_surface *s)

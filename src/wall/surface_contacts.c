@@ -147,6 +147,11 @@ static void set_particle(const struct ts_particles *p, struct ts_surface_contact
 	ts_scale(1, p->omega ? p->omega[i] : none, out->omega);
 }
 
+static double lever_of(const struct ts_wall *w, const struct tsim *sim, double radius, double overlap)
+{
+	return radius - (ts_wall_model(w, sim)->full_arms ? 0 : 0.5 * overlap);
+}
+
 void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size_t k,
 			   struct ts_surface_contact *out)
 {
@@ -170,11 +175,12 @@ void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size
 	into_frame(sim, &place, r->point, out->point);
 	into_frame(sim, &place, sim->particles->x[out->particle], out->centre);
 	set_particle(sim->particles, out);
+	out->lever = lever_of(w, sim, out->radius, out->overlap);
 	out->duration = sim->clock.dt;
 }
 
-static void node_of(const struct ts_wall_brief *b, const struct ts_contact_node *node,
-		    struct ts_surface_contact *out)
+static void node_of(const struct ts_surface_contacts *it, const struct ts_wall_brief *b,
+		    const struct ts_contact_node *node, struct ts_surface_contact *out)
 {
 	*out = (struct ts_surface_contact){ .element = b->element,
 					    .particle = SIZE_MAX,
@@ -183,7 +189,8 @@ static void node_of(const struct ts_wall_brief *b, const struct ts_contact_node 
 					    .mass = b->mass,
 					    .radius = b->radius,
 					    .duration = node->duration,
-					    .overlap = node->overlap };
+					    .overlap = node->overlap,
+					    .lever = lever_of(it->wall, it->sim, b->radius, node->overlap) };
 	ts_scale(1, node->omega, out->omega);
 	ts_scale(-1, node->force, out->force);
 	ts_add(b->point, node->shift, out->point);
@@ -203,7 +210,7 @@ static bool next_node(struct ts_surface_contacts *it, struct ts_surface_contact 
 
 		if (it->node == b->nnodes || ts_wall_surface(w, b->surface) != it->surface)
 			continue;
-		node_of(b, &b->node[it->node++], out);
+		node_of(it, b, &b->node[it->node++], out);
 		return true;
 	}
 	return false;
@@ -239,7 +246,8 @@ double ts_surface_contact_slip(const struct ts_surface_contact *c, double v[3])
 {
 	double arm[3], turn[3];
 
-	ts_sub(c->point, c->centre, arm);
+	for (int d = 0; d < 3; d++)
+		arm[d] = -c->lever * c->normal[d];
 	ts_cross(c->omega, arm, turn);
 	ts_add(c->velocity, turn, v);
 	ts_axpy(-ts_dot(v, c->normal), c->normal, v);

@@ -36,6 +36,7 @@ struct ts_surface_contact {
 	double point[3];  /* where the force acts: the point of the surface nearest to the centre */
 	double centre[3]; /* of the particle */
 	double overlap;
+	double lever; /* lever arm of the tangential force, as the contact law has it: R - overlap/2 or R, length */
 	double normal[3];   /* unit vector from the point to the centre */
 	double velocity[3]; /* of the centre relative to the surface at the point */
 	/* Conductance h, energy/(time temperature), and heat flow from the particle to the surface, energy/time, at the

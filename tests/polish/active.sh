@@ -91,4 +91,28 @@ nof 'no pressure' 'the back pressure is 0, must be > 0' 'fix w all wafer pad set
 nof 'an unstable step' 'time step' 'fix w all wafer pad dynamic mass 1e-6 inertia_1 1 inertia_2 1 stiffness 8 pressure 0.2'
 nof 'a pad that leaves' 'it would leave the wafer' 'fix q all surface/voxel constant 1 type 1 cells 2 2 origin 1 0.5 size 1 1 move linear 0.1 0 0
 fix w all wafer q settled stiffness 8 pressure 0.2'
+# A pad that is deleted or defined anew between runs: what reads it says so, or reads the new one.
+anew='include in.blocks
+compute pml all active/pml press radius 0.1 fraction 0.04
+run 0
+print "was $(c_pml[1]:%.10g)"
+unfix pad'
+agree 'a new pad' "$anew
+variable h equal 2*(v_cx<1)
+fix pad all surface/voxel formula v_h x cx type 1 cells 8 4
+compute other all active/pml press radius 0.1 fraction 0.04
+print 'is new \$(c_pml[1]) \$(c_other[1])'
+run 0
+print 'is run \$(c_pml[1]) \$(c_other[1])'"
+rejects "$anew
+print \"\$(c_pml[1])\"" "there is no height field 'pad'"
+for bad in 'compute press all surface/contact pad winkler 8 pressure v_p' 'region pad union 2 r r'; do # read twice with -check
+	printf '%s\n' 'units si' 'boundary p p f' 'region box block 0 4 0 2 -1 2 units box' 'create_box 1 box' \
+		'region r block 0 1 0 1 0 1 units box' 'variable p equal 0.2' 'fix pad all surface/voxel constant 0 type 1 cells 8 4' \
+		"$bad" "variable v equal $([ "${bad%% *}" = region ] && echo 'count(all,pad)' || echo 'c_press[1]')" \
+		'run 0' 'unfix pad' 'region r delete' 'run 0' 'print "$(v_v) $(v_v)"' 'print "$(v_v) $(v_v)"' >in.script
+	"$TSIM" -check -in in.script >out 2>&1
+	[ $? -le 1 ]
+	report "-check of ${bad%% *}" $? out
+done
 finish

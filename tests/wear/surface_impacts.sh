@@ -91,4 +91,42 @@ for law in archard bitter finnie formula neilson/gilchrist oka zhao/chang zhao/c
 	"$TSIM" -help fix wear/$law | grep -q 'surface.*fix surface/voxel'
 	report "wear/$law: the help of surface names fix surface/voxel" $?
 done
+# The slip velocity has the lever arm of the contact law: a sphere that rolls without sliding wears nothing, at any overlap, and an
+# impact without other losses loses what friction takes.
+ball() { # Y RESTITUTION Z VX VZ OMEGA
+	echo "units si
+atom_style granular
+atom_modify map array
+newton off
+boundary f f f
+region box block -0.1 0.5 -0.1 0.1 -0.1 0.1 units box
+create_box 1 box
+fix m1 all property/global youngsModulus peratomtype $1
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 $2
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+fix w all wall/gran model hertz tangential history primitive type 1 zplane 0
+create_atoms 1 single 0.001 0.001 $3 units box
+set atom 1 diameter 0.01 density 2500 vx $4 vz $5 omegay $6
+fix i all nve/sphere
+fix a all wear/archard surface w k 1 hardness 1e9
+fix b all surface/impacts surface w"
+}
+agree 'rolling' "$(ball 5e6 0.1 0.0049 1 0 200)
+fix g all gravity 200 vector 0 0 -1
+timestep 2e-6
+run 20000
+unfix a
+fix a all wear/archard surface w k 1 hardness 1e9
+variable from equal \$(x[1])
+run 20000
+print 'is overlap \$(z[1]<0.00492) 1'
+print 'is worn \$(f_a/((x[1]-v_from)*mass(all)*200/1e9)) 0 1e8'"
+agree 'the work of friction' "$(ball 1e8 1 0.00501 1 -3 0)
+timestep 1e-7
+compute r all erotate/sphere
+run 6000
+print 'is work \$(f_b[4]/(5*mass(all)-ke-c_r)) 1 1e11'"
 finish
