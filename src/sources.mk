@@ -930,6 +930,7 @@ library_sources = \
 	src/law/contact_parts.h \
 	src/law/contact_wear.h \
 	src/law/drag.h \
+	src/law/edinburgh.h \
 	src/law/elastic_energy.h \
 	src/law/erosion.h \
 	src/law/erosion_bitter.h \

@@ -27,6 +27,7 @@ shell_tests = \
 	tests/contact/bridges.sh \
 	tests/contact/cohesive_bonds.sh \
 	tests/contact/contact_computes.sh \
+	tests/contact/edinburgh.sh \
 	tests/contact/fabric.sh \
 	tests/contact/gran_laws.sh \
 	tests/contact/gran_numbers.sh \
@@ -52,6 +53,7 @@ shell_tests = \
 	tests/crosscheck/bpm.sh \
 	tests/crosscheck/bridges.sh \
 	tests/crosscheck/data_files.sh \
+	tests/crosscheck/edinburgh.sh \
 	tests/crosscheck/fabric.sh \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \

@@ -72,8 +72,11 @@ enum ts_status ts_contact_energy_require(struct tsim *sim, const struct ts_insta
 			       ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model)
 				       ? "liquid bridges have no potential energy: the energy that they "
 					 "release depends on the amount of liquid when they break"
-				       : "hooke/hysteresis has no potential energy: the energy that a "
-					 "contact releases after yielding depends on the path of unloading");
+				       : "models hooke/hysteresis and edinburgh have no potential energy: "
+					 "the "
+					 "energy that a contact releases after yielding depends on the path "
+					 "of "
+					 "unloading");
 	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy &&
 	    !ts_bond_style_of(bond)->element)
 		return ts_fail(&sim->error, TS_STATE, &self->where, "bond style %s has no potential energy",

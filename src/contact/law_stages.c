@@ -70,14 +70,14 @@ TS_INLINE void store_memory(const struct stage_task *o, double *const column[], 
 TS_INLINE void normal_at(struct ts_stages *s, size_t k, const struct stage_task *o)
 {
 	int numbers = o->m->normal == TS_NORMAL_HOOKE_HYSTERESIS;
-	double deepest = 0;
+	double memory[TS_NORMAL_MEMORY] = { 0 };
 	struct ts_normal f;
 	struct ts_touch t;
 
 	load_touch(s, k, o, &t);
-	load_memory(o->memory, numbers, k, &deepest);
-	ts_normal_force(o->m, o->law, &t, &deepest, &f);
-	store_memory(o, o->memory, numbers, k, &deepest);
+	load_memory(o->memory, numbers, k, memory);
+	ts_normal_force(o->m, o->law, &t, memory, &f);
+	store_memory(o, o->memory, numbers, k, memory);
 	s->kn[k] = f.kn;
 	s->kt[k] = f.kt;
 	s->gamman[k] = f.gamman;

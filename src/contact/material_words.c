@@ -13,6 +13,7 @@ const char *const ts_normal_names[] = { "off",
 					"hooke/modulus",
 					"hertz/stiffness",
 					"hooke/hysteresis",
+					"edinburgh",
 					"jkr",
 					NULL };
 const char *const ts_tangential_names[] = { "off",     "history", "no_history", "incremental_history",
@@ -68,8 +69,8 @@ static bool has_bridges(const struct ts_granular_words *w)
 
 static bool can_be_located(const struct ts_granular_words *w)
 {
-	return has_normal(w) && w->normal != TS_WORD_JKR && w->tangential < TS_TANGENTIAL_INCREMENTAL &&
-	       !has_bridges(w);
+	return has_normal(w) && w->normal < TS_NORMAL_EDINBURGH &&
+	       w->tangential < TS_TANGENTIAL_INCREMENTAL && !has_bridges(w);
 }
 
 static bool can_be_multicontact(const struct ts_granular_words *w)
@@ -145,9 +146,10 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 			       "`special_bonds lj 0 1 1` switches all contact forces between bonded "
 			       "particles off",
 			       who);
-	if (jkr && w->limit_force)
+	if ((jkr || w->normal == TS_NORMAL_EDINBURGH) && w->limit_force)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "limitForce"),
-			       "%s: 'limitForce' does not go with model jkr, which attracts", who);
+			       "%s: 'limitForce' does not go with model %s, which attracts", who,
+			       ts_normal_names[w->normal]);
 	return TS_OK;
 }
 

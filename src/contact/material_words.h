@@ -16,7 +16,7 @@ struct ts_granular_words {
 };
 /* Words whose number is not that of their law in law/granular.h. */
 enum {
-	TS_WORD_JKR = TS_NORMAL_HOOKE_HYSTERESIS + 1,
+	TS_WORD_JKR = TS_NORMAL_EDINBURGH + 1,
 	TS_WORD_JKR_TAN = TS_TANGENTIAL_INCREMENTAL + 1,
 	TS_WORD_BOND = TS_COHESION_WASHINO + 1
 };

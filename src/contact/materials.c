@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/units.h"
 #include "law/granular_force.h"
 #include "material/property.h"
 #include "math/constants.h"
@@ -50,7 +51,8 @@ enum needs {
 	ADHESION = 8192,
 	BRIDGES = 16384,
 	BRIDGE_SHARE = 32768,
-	MODULUS = 65536
+	MODULUS = 65536,
+	EDINBURGH = 131072
 };
 
 static unsigned needs_of(const struct ts_granular_model *m)
@@ -62,6 +64,7 @@ static unsigned needs_of(const struct ts_granular_model *m)
 		[TS_NORMAL_HOOKE_MODULUS] = MODULUS | RESTITUTION,
 		[TS_NORMAL_HERTZ_STIFFNESS] = STIFFNESS | STIFFNESS_DAMPING,
 		[TS_NORMAL_HOOKE_HYSTERESIS] = ELASTIC | VELOCITY | HYSTERESIS,
+		[TS_NORMAL_EDINBURGH] = ELASTIC | RESTITUTION | EDINBURGH,
 		[TS_NORMAL_AREA_JKR] = ELASTIC | RESTITUTION | ADHESION,
 	};
 	unsigned needs = normal[m->normal];
@@ -138,6 +141,11 @@ static const struct property of_pairs[] = {
 	PAIR(HYSTERESIS, "coefficientMaxElasticStiffness", unloading, { 1, INFINITY, true }),
 	PAIR(HYSTERESIS, "coefficientAdhesionStiffness", adhesion, NOT_NEGATIVE),
 	PAIR(HYSTERESIS, "coefficientPlasticityDepth", plasticity, NOT_NEGATIVE),
+	PAIR(EDINBURGH, "UnloadingStiffness", unloading, { 1, INFINITY, false }),
+	PAIR(EDINBURGH, "surfaceEnergy", surface_energy, NOT_NEGATIVE),
+	PAIR(EDINBURGH, "pullOffForce", pull_off, { -INFINITY, INFINITY, false }),
+	FOR_ALL(EDINBURGH, "overlapExponent", overlap_exponent, POSITIVE),
+	FOR_ALL(EDINBURGH, "adhesionExponent", adhesion_exponent, POSITIVE),
 	FOR_ALL(BRIDGES, "surfaceTension", surface_tension, NOT_NEGATIVE),
 	FOR_ALL(BRIDGES, "fluidViscosity", liquid_viscosity, NOT_NEGATIVE),
 	/* above 0: the viscous force diverges there */
@@ -305,6 +313,8 @@ enum ts_status ts_contact_law_of_materials(struct tsim *sim, const struct ts_gra
 		out->kn *= 4;
 		out->kt = out->kn / out->kt;
 	}
+	if (needs & EDINBURGH)
+		out->metre = ts_si_units(sim->units).length > 0 ? 1 / ts_si_units(sim->units).length : 1;
 	if (needs & ADHESION)
 		set_jkr_constants(out);
 	return TS_OK;

@@ -159,7 +159,8 @@ static const char normal_laws[] =
 	"as given, the latter times sqrt(R* delta). `hooke/modulus`, for rock of bonded grains: the springs "
 	"4 R E_c of both grains in series, k_n = 4 E_c R*, k_t = k_n/kappa, gamma as hooke (D. O. Potyondy, "
 	"P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329). `hooke/hysteresis`: loading with the "
-	"k_n of hooke, steeper unloading, adhesion at the end. `jkr`: adhesive contact, F_n = 4 Y* a^3/(3 "
+	"k_n of hooke, steeper unloading, adhesion at the end. `edinburgh`: see below. `jkr`: adhesive "
+	"contact, F_n = 4 Y* a^3/(3 "
 	"R*) - sqrt(8 pi W Y* a^3) with the contact radius a from delta = a^2/R* - sqrt(2 pi W a/Y*), W the "
 	"work of adhesion; once surfaces have touched they attract beyond the touch and separate at the "
 	"pull-off force 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 "
@@ -180,17 +181,43 @@ static const char other_laws[] =
 	"transmit shear, bending and torsion and break, bond_style cohesion. `easo/...`, `washino/...`: "
 	"liquid bridges (doc/bridges.md). `surface multicontact`: fix multicontact/halfspace.";
 
+static const char edinburgh[] =
+	"`model edinburgh`: elasto-plastic contacts with adhesion of cohesive powders (S. C. Thakur, J. P. "
+	"Morrissey, J. Sun, "
+	"J. F. Chen, J. Y. Ooi, Granul. Matter 16 (2014) 383). With the overlap d, its largest value d_max "
+	"so far, k_2 = kappa "
+	"k_1 and d_p^n = (1 - 1/kappa) d_max^n,\n\n"
+	"    F = f_0 + k_1 d^n, unloading f_0 + k_2 (d^n - d_p^n), but not below f_0 - k_a d^chi\n\n"
+	"k_1 = 4/3 Y* sqrt(R*), k_t = 8 G* sqrt(R* d); for n = 1 k_1 = 2 R* Y*, k_t = 2 Y* sqrt(R* d). k_a "
+	"follows from the "
+	"pull-off force 3/2 pi w a, a the radius of the circle in which the spheres intersect at d_p, at "
+	"most k_2 d_p^n/2: "
+	"where the branches meet. A contact that is loaded again from the last branch continues with the "
+	"d_max that belongs "
+	"to it. gamma = sqrt(4 m* k_1/(1 + (pi/ln e)^2)), with k_1 in SI units whatever n is: for n = 1.5 "
+	"contacts of hard or "
+	"small grains are overdamped unless e is near 1. A contact ends where the surfaces separate. f_0 > 0 "
+	"repels, as in "
+	"LIGGGHTS; coefficientAdhesionStiffness, which LIGGGHTS demands, has no effect there and is not "
+	"read. Other than there "
+	"particles adhere to walls, too, and rolling_friction cdt, epsd take k_1 d^n for k_1 d. limitForce, "
+	"located and "
+	"energies are refused.";
+
 static const char usage[] =
 	"These equations typeset, with assumptions, order and limits: doc/theory-contact.md, "
 	"doc/theory-adhesion.md, doc/theory-rolling.md.\n\n"
 	"The constants are defined by fix property/global. Per type: youngsModulus, poissonsRatio. Per pair "
 	"of types: coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), cohesionEnergyDensity, workOfAdhesion (jkr; "
-	"resolutionJKR has no effect), kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
+	"resolutionJKR has no effect), UnloadingStiffness kappa, surfaceEnergy w, pullOffForce f_0 "
+	"(edinburgh), kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
 	"with absolute_damping), contactModulus E_c and contactStiffnessRatio kappa (hooke/modulus), "
 	"coefficientMaxElasticStiffness, coefficientAdhesionStiffness, coefficientPlasticityDepth "
 	"(hysteresis), FluidViscosity, CriticalStokes, MaximumRestitution (viscous). One number: "
-	"characteristicVelocity V (hooke), rollingStiffness (epsd3).\n\n"
+	"characteristicVelocity V (hooke), overlapExponent n and adhesionExponent chi (edinburgh), "
+	"rollingStiffness "
+	"(epsd3).\n\n"
 	"An oblique impact gains no energy, except that the tangential spring of the Hertzian models "
 	"stiffens with the overlap and releases early displacement with a larger stiffness: without "
 	"dissipation (e = 1) up to some thousandths of the energy (hertz; more for hertz/stiffness, "
@@ -204,7 +231,7 @@ static const char usage[] =
 	"round-off if the neighbour list is rebuilt between two contacts of a pair: LIGGGHTS keeps the "
 	"history of an ended contact until then, here it ends with the contact, unless `legacy yes` is set.";
 
-static const char *const doc_more[] = { other_laws, usage, NULL };
+static const char *const doc_more[] = { other_laws, edinburgh, usage, NULL };
 
 static const struct ts_arg_group groups[] = {
 	TS_GRANULAR_GROUPS,

@@ -41,6 +41,10 @@ static const struct {
 	{ "model", "hertz/break", FRAGMENTS },
 	{ "model", "hysteretic/nonlinear2", UNPUBLISHED "; hooke/hysteresis is a similar law" },
 	{ "model", "luding", "hooke/hysteresis is a similar law" },
+	{ "model", "edinburgh/stiffness", "use model edinburgh, whose stiffness is that of the material" },
+	{ "model", "thornton_ning", "edinburgh and hooke/hysteresis are elasto-plastic laws with adhesion" },
+	{ "tangential", "tan_luding", "use tangential history" },
+	{ "rolling_friction", "luding", "epsd is a similar law" },
 	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is a similar law" },
 	{ "cohesion", "bond/nonlinear",
 	  "no description of its law is public; `cohesion bond` is the linear law, bond_style beam and "

@@ -304,6 +304,21 @@ enum ts_status ts_ledger_archive_columns(struct tsim *sim, struct ts_ledger *l, 
 
 /* Energy that commands have changed since the last run is accounted now; elastic energy after the force
  * computation. */
+/* Of walls the law is known once a run begins. */
+static enum ts_status require_energy(struct ts_instance *self, struct tsim *sim,
+				     const struct ts_granular_model *model)
+{
+	const char *what = ts_cohesion_bridges(model)		  ? "liquid bridges (cohesion)"
+			   : model->normal == TS_NORMAL_EDINBURGH ? "contacts of model edinburgh"
+								  : NULL;
+
+	if (!what)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix %s: %s have no potential energy, so there is no energy balance",
+		       self->style->name, what);
+}
+
 static enum ts_status begin_run(struct tsim *sim, struct ts_ledger *l)
 {
 	l->due = NOTHING_DUE;
@@ -320,16 +335,16 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND),
 				 *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_ledger *l = self->state;
+	const struct ts_wall *wall;
 
 	if (bond && !ts_bond_style_of(bond)->energy && !ts_bond_style_of(bond)->element)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: bond style %s has no potential energy", self->style->name,
 			       bond->style->name);
-	if (pair && ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model))
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: liquid bridges (cohesion) have no potential energy, so there is no "
-			       "energy balance",
-			       self->style->name);
+	if (pair)
+		TS_TRY(require_energy(self, sim, &((const struct ts_pair *)pair->state)->model));
+	for (size_t k = 0; (wall = ts_walls_next(sim, &k, NULL));)
+		TS_TRY(require_energy(self, sim, ts_wall_model(wall, sim)));
 	l->name = self->id;
 	sim->neigh->keep_forces = true;
 	for (size_t a = 0; a < l->nactors; a++)

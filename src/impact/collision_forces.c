@@ -84,14 +84,14 @@ void ts_colliding_evaluate(const struct ts_colliding *o, const double *y, struct
 {
 	const double *v = y + TS_AT_TANGENTIAL, *w = v + o->d, *x = w + o->d;
 	struct ts_touch *t = o->touch;
-	double none = 0;
+	double none[TS_NORMAL_MEMORY] = { 0 };
 
 	*m = (struct ts_colliding_forces){ .q = ts_colliding_overlap(o, y[TS_AT_Z]), .u = y[TS_AT_U] };
 	m->rate = o->power == 1 ? 1 : o->power == 2 ? y[TS_AT_Z] : y[TS_AT_Z] * y[TS_AT_Z] * y[TS_AT_Z];
 	t->overlap = m->q;
 	t->distance = t->radius[0] - m->q;
 	t->vn = -m->u;
-	ts_normal_force(&o->model, o->law, t, &none, &m->n);
+	ts_normal_force(&o->model, o->law, t, none, &m->n);
 	ts_granular_arms(&o->model, t);
 	m->lever = t->lever[0];
 	m->arm = t->arm[0];

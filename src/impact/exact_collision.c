@@ -477,7 +477,7 @@ static void begin(struct ts_colliding *o, struct ts_touch *touch, const struct t
 		o->model.solved = true;
 	}
 	o->inertia = c->inertia * c->mass * c->radius * c->radius;
-	ts_normal_force(&o->model, c->law, o->touch, &(double){ 0 }, &n);
+	ts_normal_force(&o->model, c->law, o->touch, (double[TS_NORMAL_MEMORY]){ 0 }, &n);
 	if (ts_granular_stiffens(&o->model)) {
 		depth = ts_granular_impact_overlap(&o->model, c->law, c->r_eff, c->mass, u);
 		o->kappa = 0.5;

@@ -52,20 +52,19 @@ static inline void ts_parts_normal(const struct ts_granular_model *m, const stru
 	struct ts_granular_model at_rest = *m;
 	struct ts_touch still = *t;
 	struct ts_normal n;
-	double deepest = 0, elastic, pull;
+	double own[TS_NORMAL_MEMORY], elastic, pull;
 
 	still.vn = 0;
 	pull = ts_cohesion_force(m, c, &still);
 	at_rest.viscous = false; /* belongs to the dashpot */
-	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
-		deepest = memory[ts_granular_depth_at(m)];
-	ts_normal_force(&at_rest, c, &still, &deepest, &n);
+	ts_granular_normal_memory(m, memory, own);
+	ts_normal_force(&at_rest, c, &still, own, &n);
 	elastic = n.force;
 	ts_scale(elastic + pull, t->n, out->force[TS_PART_NORMAL]);
 	ts_scale(force - elastic - pull, t->n, out->force[TS_PART_DASHPOT]);
 	out->energy[TS_STORE_NORMAL] =
 		ts_cohesion_energy(m, c, t) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS
-						       ? ts_hysteretic_energy(c, t, n.kn, elastic, deepest)
+						       ? ts_hysteretic_energy(c, t, n.kn, elastic, own[0])
 						       : ts_normal_energy(m, c, t, &n));
 	out->energy[TS_STORE_SHEAR] = ts_tangential_energy(m, c, &n, memory);
 	out->energy[TS_STORE_ROLLING] = ts_turning_energy(m, c, t, &n, memory);
@@ -87,14 +86,13 @@ static inline void ts_contact_split(const struct ts_granular_model *m, const str
 				    const struct ts_touch *t, const double *memory, const double total[3],
 				    const double roll[3], struct ts_contact_parts *out)
 {
-	double normal = ts_dot(total, t->n), deepest = 0, limit, friction[3];
+	double normal = ts_dot(total, t->n), own[TS_NORMAL_MEMORY], limit, friction[3];
 	struct ts_normal n;
 
 	*out = (struct ts_contact_parts){ .roll = { roll[0], roll[1], roll[2] } };
 	ts_parts_normal(m, c, t, memory, normal, out);
-	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
-		deepest = memory[ts_granular_depth_at(m)];
-	ts_normal_force(m, c, t, &deepest, &n);
+	ts_granular_normal_memory(m, memory, own);
+	ts_normal_force(m, c, t, own, &n);
 	ts_parts_spring(m, c, &n, memory, out->force[TS_PART_SHEAR]);
 	for (int k = 0; k < 3; k++)
 		out->force[TS_PART_VISCOUS][k] = total[k] - normal * t->n[k] - out->force[TS_PART_SHEAR][k];
@@ -118,15 +116,14 @@ static inline double ts_slip_loss(const struct ts_granular_model *m, const struc
 				  const struct ts_touch *t, double dt, const double *before,
 				  const double *after)
 {
-	double start[3], trial[3], deepest = 0, sum = 0;
+	double start[3], trial[3], own[TS_NORMAL_MEMORY], sum = 0;
 	struct ts_slider slider;
 	struct ts_normal n;
 
 	if (!ts_tangential_remembers(m))
 		return 0;
-	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
-		deepest = after[ts_granular_depth_at(m)];
-	ts_normal_force(m, c, t, &deepest, &n);
+	ts_granular_normal_memory(m, after, own);
+	ts_normal_force(m, c, t, own, &n);
 	slider = ts_tangential_slider_of(m, c, &n);
 	if (!(n.kt > 0) || (ts_norm(before) == 0 &&
 			    ts_norm(after) > 1.001 * dt * ts_norm(t->slip) * (slider.force ? n.kt : 1)))

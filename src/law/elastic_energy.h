@@ -13,7 +13,7 @@
  *   tangential, rolling spring      1/2 k_t xi^2, 1/2 M^2/k_r: at the present overlap
  *   twisting, rolling by sds        1/2 k phi^2, 1/2 k xi^2
  *
- * hooke/hysteresis is plastic: the energy it returns depends on the unloading path. Liquid bridges have
+ * hooke/hysteresis and edinburgh are plastic: the energy it returns depends on the unloading path. Liquid bridges have
  * no potential energy either, since their liquid changes. */
 #ifndef TS_LAW_ELASTIC_ENERGY_H
 #define TS_LAW_ELASTIC_ENERGY_H
@@ -23,7 +23,8 @@
 
 static inline bool ts_granular_has_energy(const struct ts_granular_model *m)
 {
-	return m->normal != TS_NORMAL_HOOKE_HYSTERESIS && !ts_cohesion_bridges(m);
+	return m->normal != TS_NORMAL_HOOKE_HYSTERESIS && m->normal != TS_NORMAL_EDINBURGH &&
+	       !ts_cohesion_bridges(m);
 }
 
 static inline double ts_cohesion_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
@@ -92,9 +93,9 @@ static inline double ts_granular_energy(const struct ts_granular_model *m, const
 					const struct ts_touch *t, const double *memory)
 {
 	struct ts_normal n;
-	double deepest = 0;
+	double memory_of_normal[TS_NORMAL_MEMORY] = { 0 };
 
-	ts_normal_force(m, c, t, &deepest, &n);
+	ts_normal_force(m, c, t, memory_of_normal, &n);
 	return ts_normal_energy(m, c, t, &n) + ts_cohesion_energy(m, c, t) +
 	       ts_tangential_energy(m, c, &n, memory) + ts_turning_energy(m, c, t, &n, memory);
 }

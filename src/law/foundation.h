@@ -40,7 +40,7 @@ static inline double ts_foundation_at(struct ts_foundation *f, const struct ts_g
 				      const struct ts_granular_pair *c, struct ts_touch *t, double u)
 {
 	bool hertz = m->normal == TS_NORMAL_HERTZ || m->normal == TS_NORMAL_HERTZ_STIFFNESS;
-	double a = f->h + u, unused = 0;
+	double a = f->h + u, unused[TS_NORMAL_MEMORY] = { 0 };
 	struct ts_normal n;
 
 	f->u = u;
@@ -48,7 +48,7 @@ static inline double ts_foundation_at(struct ts_foundation *f, const struct ts_g
 	f->cosine = a / f->distance;
 	t->distance = f->distance;
 	t->overlap = f->sum > f->distance ? f->sum - f->distance : 0;
-	ts_normal_force(m, c, t, &unused, &n);
+	ts_normal_force(m, c, t, unused, &n);
 	f->force = n.kn * t->overlap;
 	f->contact = (hertz ? 1.5 : 1) * n.kn;
 	f->slope = f->stiffness + f->contact * f->cosine * f->cosine -

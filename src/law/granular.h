@@ -15,6 +15,7 @@ enum ts_normal_law {
 	TS_NORMAL_HOOKE_MODULUS,
 	TS_NORMAL_HERTZ_STIFFNESS,
 	TS_NORMAL_HOOKE_HYSTERESIS,
+	TS_NORMAL_EDINBURGH,
 	/* based on the radius of the contact area: law/normal_area.h */
 	TS_NORMAL_AREA_HOOKE,
 	TS_NORMAL_AREA_HERTZ,
@@ -121,7 +122,9 @@ struct ts_granular_pair {
 	/* of the interstitial fluid; viscosity, critical Stokes number, largest restitution */
 	double viscosity, critical_stokes, largest_restitution;
 	double unloading, adhesion, plasticity; /* k2max/k1, kc/k1, phi */
-	double surface_energy;			/* energy/area */
+	/* edinburgh: n, chi, f_0; 1 m in the length of the units */
+	double overlap_exponent, adhesion_exponent, pull_off, metre;
+	double surface_energy; /* energy/area */
 	/* of liquid bridges; the contact angle in radians */
 	double surface_tension, contact_angle, liquid_viscosity;
 	double least_gap, most_gap;	     /* minSeparationDistanceRatio, maxSeparationDistanceRatio */

@@ -70,16 +70,24 @@ TS_INLINE int ts_granular_rolling_at(const struct ts_granular_model *m)
 	return m->wide || ts_tangential_remembers(m) ? 3 : 0;
 }
 
-/* Offset of the largest overlap of hooke/hysteresis. */
+/* Offset of the history of the normal law. */
 TS_INLINE int ts_granular_depth_at(const struct ts_granular_model *m)
 {
 	return ts_granular_rolling_at(m) + (m->wide || m->rolling > TS_ROLLING_CDT ? 3 : 0);
 }
 
+/* The history of the normal law, of the contact whose history is `memory`; zeros where the law keeps none. */
+static inline void ts_granular_normal_memory(const struct ts_granular_model *m, const double *memory,
+					     double own[TS_NORMAL_MEMORY])
+{
+	for (int k = 0; k < TS_NORMAL_MEMORY; k++)
+		own[k] = k < ts_normal_memory(m) ? memory[ts_granular_depth_at(m) + k] : 0;
+}
+
 /* Offset of the twisting angle. */
 TS_INLINE int ts_granular_twist_at(const struct ts_granular_model *m)
 {
-	return ts_granular_depth_at(m) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS);
+	return ts_granular_depth_at(m) + ts_normal_memory(m);
 }
 
 /* Offset of the radius of the contact area in the last step. */

@@ -34,7 +34,7 @@ static inline double ts_oscillator_limit(double stiffness, double damping, doubl
 static inline bool ts_granular_stiffens(const struct ts_granular_model *m)
 {
 	return m->normal == TS_NORMAL_HERTZ || m->normal == TS_NORMAL_HERTZ_STIFFNESS ||
-	       m->normal > TS_NORMAL_AREA_HOOKE;
+	       m->normal == TS_NORMAL_EDINBURGH || m->normal > TS_NORMAL_AREA_HOOKE;
 }
 
 /* Stiffness and damping of a contact at rest at this overlap. */
@@ -45,14 +45,16 @@ static inline struct ts_normal ts_granular_constants_at(const struct ts_granular
 	struct ts_touch t = { .r_eff = r_eff, .m_eff = m_eff, .overlap = overlap };
 	struct ts_granular_model dry = *m;
 	struct ts_normal f = { 0 };
-	double deepest = 0;
+	double memory[TS_NORMAL_MEMORY] = { 0 };
 
 	dry.viscous = false;
 	if (m->normal != TS_NORMAL_OFF)
-		ts_normal_force(&dry, c, &t, &deepest, &f);
-	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
+		ts_normal_force(&dry, c, &t, memory, &f);
+	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS || m->normal == TS_NORMAL_EDINBURGH)
 		f.kn *= fmax(c->unloading, 1);
-	if (ts_granular_stiffens(m))
+	if (m->normal == TS_NORMAL_EDINBURGH)
+		f.kn *= fmax(c->overlap_exponent, 1); /* F ~ delta^n */
+	else if (ts_granular_stiffens(m))
 		f.kn *= 1.5; /* F ~ delta^(3/2) */
 	if (ts_cohesion_bridges(m)) {
 		f.gamman += ts_bridge_normal_drag(c, r_eff, 0);

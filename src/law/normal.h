@@ -12,6 +12,7 @@
  *                                     hertz/stiffness: both times sqrt(R* delta)
  *   hooke/modulus     springs 4 R_i E_c of both grains in series, k_n = 4 E_c R*, k_t = k_n/kappa, gamma of hooke
  *                     (D. O. Potyondy, P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329)
+ *   edinburgh         elasto-plastic, with adhesion: law/edinburgh.h
  *   hooke/hysteresis  loading k_1 (k_n of hooke), unloading k_2 up to k_2max, adhesion k_c (O. R.
  *                     Walton, R. L. Braun, J. Rheol. 30 (1986) 949; S. Luding, Granul. Matter 10 (2008)
  *                     235) */
@@ -20,6 +21,7 @@
 
 #include <math.h>
 
+#include "law/edinburgh.h"
 #include "law/granular.h"
 #include "law/lens.h"
 #include "law/normal_area.h"
@@ -98,6 +100,26 @@ TS_INLINE void ts_normal_modulus(const struct ts_granular_pair *c, const struct 
 	f->gamman = f->gammat = ts_hooke_damping(f->kn, t->m_eff, c->log_restitution);
 }
 
+/* k_1 d^(n-1), the slope of the line to the loading branch. The damping of the model is that of a spring k_1 whatever n is,
+ * in SI units. */
+TS_INLINE void ts_normal_edinburgh(const struct ts_granular_pair *c, const struct ts_touch *t, double k1,
+				   struct ts_normal *f)
+{
+	const double n = c->overlap_exponent, s = sqrt(t->r_eff * t->overlap);
+
+	f->kn = k1 * pow(t->overlap, n - 1);
+	f->kt = n == 1 ? 2 * c->young * s : 8 * c->shear * s;
+	f->gamman = f->gammat = ts_hooke_damping(k1 * pow(c->metre, n - 1), t->m_eff, c->log_restitution);
+}
+
+/* Numbers that a normal law keeps in the history of a contact. */
+enum { TS_NORMAL_MEMORY = TS_EDINBURGH_MEMORY }; /* at most */
+TS_INLINE int ts_normal_memory(const struct ts_granular_model *m)
+{
+	return m->normal == TS_NORMAL_EDINBURGH ? (int)TS_EDINBURGH_MEMORY
+						: m->normal == TS_NORMAL_HOOKE_HYSTERESIS;
+}
+
 /* Elastic force of hooke/hysteresis. *deepest: largest overlap so far. */
 TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t, double k1,
 				     double *deepest)
@@ -123,8 +145,9 @@ TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const str
 	return force;
 }
 
+/* `memory`: the TS_NORMAL_MEMORY numbers of the history, of which the law uses ts_normal_memory. */
 TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-			       const struct ts_touch *t, double *deepest, struct ts_normal *f)
+			       const struct ts_touch *t, double *memory, struct ts_normal *f)
 {
 	double elastic;
 
@@ -153,6 +176,9 @@ TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct t
 	case TS_NORMAL_HERTZ_STIFFNESS:
 		ts_normal_given(m, c, t, ts_hertz_root(m, t), f);
 		break;
+	case TS_NORMAL_EDINBURGH:
+		ts_normal_edinburgh(c, t, ts_edinburgh_stiffness(c, t), f);
+		break;
 	case TS_NORMAL_AREA_HOOKE:
 	case TS_NORMAL_AREA_HERTZ:
 	case TS_NORMAL_AREA_DMT:
@@ -166,7 +192,9 @@ TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct t
 		f->gammat = 0;
 	elastic = f->kn * t->overlap;
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
-		elastic = ts_hysteretic_force(c, t, f->kn, deepest);
+		elastic = ts_hysteretic_force(c, t, f->kn, memory);
+	if (m->normal == TS_NORMAL_EDINBURGH)
+		elastic = c->pull_off + ts_edinburgh_force(c, t, ts_edinburgh_stiffness(c, t), memory);
 	if (ts_normal_by_area(m))
 		elastic = ts_normal_area_force(m, c, t, f);
 	f->force = elastic - f->gamman * t->vn;

@@ -168,7 +168,7 @@ fix m8 all property/global coefficientAdhesionStiffness peratomtypepair 2 0.1 0.
 fix m9 all property/global coefficientPlasticityDepth peratomtypepair 2 0.1 0.1 0.1 0.1
 pair_coeff * *
 thermo_style custom step pe
-run 0" 'hooke/hysteresis has no potential energy'
+run 0" 'models hooke/hysteresis and edinburgh have no potential energy'
 rejects "$head
 fix still all freeze
 fix_modify still energy yes" 'fix freeze has no potential energy'

@@ -263,14 +263,14 @@ START_TEST(impact_has_the_force_of_the_law)
 	struct ts_touch t = touch(0.0123, 0.0231, at, false);
 	struct ts_impact o;
 	struct ts_normal n;
-	double deepest = 0;
+	double deepest[TS_NORMAL_MEMORY] = { 0 };
 
-	ts_normal_force(&m, &stuff, &t, &deepest, &n);
+	ts_normal_force(&m, &stuff, &t, deepest, &n);
 	ck_assert_double_gt(n.gamman, 0);
 	o = ts_impact_of(&m, &t, &n);
 	for (int k = 0; k < 3; k++) {
 		t = touch(0.0123, 0.0231, overlaps[k], false);
-		ts_normal_force(&m, &stuff, &t, &deepest, &n);
+		ts_normal_force(&m, &stuff, &t, deepest, &n);
 		close_to(ts_impact_force(&o, overlaps[k], 0), n.kn * overlaps[k], 1e-13);
 		close_to(ts_impact_force(&o, overlaps[k], 0.73) - ts_impact_force(&o, overlaps[k], 0),
 			 0.73 * n.gamman, 1e-11);

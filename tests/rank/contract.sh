@@ -46,6 +46,11 @@ awk '/^run/ && !n++ { print "dump film all movie 60 ${out}.mp4 type type size 80
 sed 's/heat\/gran\/conduction/heat\/gran/; s/initial_temperature 293.15/& scheme exact/' in.heat >in.heat_exact
 sed 's/tangential history/& cohesion sjkr/; s/^pair_style/fix m5 all property\/global cohesionEnergyDensity peratomtypepair 2 3e4 2e4 2e4 1e4\n&/' in.bed >in.sticky
 sed 's,gran/hooke 2000.0 NULL 5.0,gran/hertz/history 2e6 NULL 50.0,; s,nve/euler,nve/noforce,' in.forces >in.forces_hertz
+# Contacts that yield and adhere.
+awk '/^pair_style/ { split("UnloadingStiffness surfaceEnergy pullOffForce", p); split("3 5 0", v)
+		for (k = 1; k <= 3; k++) print "fix y" k " all property/global " p[k] " peratomtypepair 2 " v[k], v[k], v[k], v[k]
+		print "fix y4 all property/global overlapExponent scalar 1.5\nfix y5 all property/global adhesionExponent scalar 1.5" } { print }' in.bed |
+	sed 's/model hertz/model edinburgh/' >in.yielding
 sed "s;^flow_style.*;flow_style stagnation axisymmetric point 0.03 0.02 0 normal 0 0 1 rate 20 profile viscous viscosity 2e-3 density 300;" in.stream >in.jet
 
 # Wafers on a film and on the pad.
@@ -160,7 +165,7 @@ film=film # needs HDF5 and ffmpeg
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
 # Of three scenes that follow each other the one that takes the longest time runs on 3 ranks, the shortest one on 7.
-same_scenes 2x2 averages drum halves waves mill sieve voxels squeezed sorted tracers receding forces stream forces_hertz flat oil jet wafer fluid floating automaton submerged eddies sluice shut cg direct multigrid sor slabs slabs_told slabs_out slabs_cg slabs_columns slabs_change fluid_ab2 slabs_implicit slabs_ab2 duct_implicit slabs_grids slabs_backward current current_kernel current_whole current_apart rock insertion pour beams springs harmonic glue cement brief fibres bit turning stretched rigid bodies clumps surface_heat heat_exact heat sticky warm host gap nozzle multicontact bridges legacy seam $film sheared crowd $hypre
+same_scenes 2x2 averages drum halves waves mill sieve voxels squeezed sorted tracers receding forces stream forces_hertz flat oil jet wafer fluid floating automaton submerged eddies sluice shut cg direct multigrid sor slabs slabs_told slabs_out slabs_cg slabs_columns slabs_change fluid_ab2 slabs_implicit slabs_ab2 duct_implicit slabs_grids slabs_backward current current_kernel current_whole current_apart rock insertion pour beams springs harmonic glue cement brief fibres bit turning stretched rigid bodies clumps surface_heat heat_exact heat sticky yielding warm host gap nozzle multicontact bridges legacy seam $film sheared crowd $hypre
 # The solver of hypre divided among ranks: results to its tolerance.
 for n in ${hypre:+1 $(numbers_of 2 0)}; do
 	n=${n%x2}

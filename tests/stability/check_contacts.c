@@ -57,9 +57,9 @@ static double load(const struct contact *c)
 {
 	struct ts_touch t = { .r_eff = c->r_eff, .m_eff = c->m_eff, .overlap = c->overlap };
 	struct ts_normal f;
-	double deepest = 0;
+	double deepest[TS_NORMAL_MEMORY] = { 0 };
 
-	ts_normal_force(&c->model, &c->pair, &t, &deepest, &f);
+	ts_normal_force(&c->model, &c->pair, &t, deepest, &f);
 	return f.force;
 }
 

@@ -151,8 +151,8 @@ syn keyword tsimKeyword  couple constant black white formula correlation noise c
 syn keyword tsimKeyword  waves selfaffine hurst shortest roll longest datum merge method
 syn keyword tsimKeyword  divided kernel reach settled inertia_1 inertia_2 arm joint_1
 syn keyword tsimKeyword  joint_2 start_1 start_2 model hooke hertz hooke/stiffness
-syn keyword tsimKeyword  hooke/modulus hertz/stiffness hooke/hysteresis jkr history
-syn keyword tsimKeyword  no_history incremental_history jkr_tan cohesion sjkr sjkr2
+syn keyword tsimKeyword  hooke/modulus hertz/stiffness hooke/hysteresis edinburgh jkr
+syn keyword tsimKeyword  history no_history incremental_history jkr_tan cohesion sjkr sjkr2
 syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous rolling_friction
 syn keyword tsimKeyword  cdt epsd epsd2 epsd3 multicontact limitForce tangential_damping
 syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
