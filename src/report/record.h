@@ -40,11 +40,12 @@ struct ts_record_column {
 	bool integer;
 };
 
-/* Rows of the log with the same columns and growing steps, of one or several runs. */
+/* Rows of the log with the same columns and steps that do not fall, of one or several runs. */
 struct ts_record_table {
 	struct ts_record_column *column; /* [n] */
 	size_t n;
 	struct ts_rows rows; /* over the time; a further column is the time step as a fraction of its limit */
+	double *last;	     /* [n] numbers of the row added last */
 	int64_t first_step, last_step;
 	double first_time, last_time; /* [time] */
 	size_t runs;

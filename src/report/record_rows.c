@@ -71,7 +71,8 @@ static struct ts_record_table *new_table(struct ts_record *record, const struct 
 	*table = (struct ts_record_table){ .first_step = sim->clock.step, .first_time = ts_sim_time(sim) };
 	table->n = columns_of(t);
 	table->column = ts_arena_alloc(&record->arena, table->n, sizeof *table->column);
-	good = table->column && ts_rows_begin(&table->rows, table->n + 1) == TS_OK;
+	table->last = ts_arena_alloc(&record->arena, table->n, sizeof *table->last);
+	good = table->column && table->last && ts_rows_begin(&table->rows, table->n + 1) == TS_OK;
 	for (size_t k = 0; good && k < table->n; k++)
 		good = set_column(record, sim, &t->column[k], &table->column[k]);
 	if (!good) {
@@ -83,7 +84,7 @@ static struct ts_record_table *new_table(struct ts_record *record, const struct 
 	return table;
 }
 
-/* A table goes on over runs, as long as its columns stay the same and the steps grow. */
+/* A table goes on over runs, as long as its columns stay the same and the step does not fall. */
 static struct ts_record_table *present_table(struct ts_record *record, const struct tsim *sim)
 {
 	struct ts_record_table *last = record->ntables ? &record->table[record->ntables - 1] : NULL;
@@ -98,16 +99,34 @@ static struct ts_record_table *present_table(struct ts_record *record, const str
 	return last;
 }
 
+/* Whether the row says nothing but what the last one says: the first row of a run mostly repeats the last row of the run
+ * before. Times begin anew there (elapsed, cpu), so they are not compared. A run of no steps after a change of the
+ * script's variables has the step of the row before, but other values. */
+static bool repeats_last(const struct ts_record_table *table, const struct tsim *sim)
+{
+	const struct ts_thermo *t = sim->thermo;
+
+	if (!table->rows.count || table->last_step != sim->clock.step)
+		return false;
+	for (size_t k = 0; k < table->n; k++) {
+		const double a = table->last[k], b = t->column[k].value;
+
+		if (!table->column[k].clock && a != b && !(isnan(a) && isnan(b)))
+			return false;
+	}
+	return true;
+}
+
 void ts_record_row(struct ts_record *record, struct tsim *sim)
 {
 	const struct ts_thermo *t = sim->thermo;
 	struct ts_record_table *table = record->failed ? NULL : present_table(record, sim);
 	double value[TS_RECORD_COLUMNS + 1];
 
-	if (!table || (table->rows.count && table->last_step == sim->clock.step))
-		return; /* the first row of a run may be the last one of the run before */
+	if (!table || repeats_last(table, sim))
+		return;
 	for (size_t k = 0; k < table->n; k++)
-		value[k] = t->column[k].value;
+		value[k] = table->last[k] = t->column[k].value;
 	value[table->n] = sim->guard->fraction > 0 ? sim->guard->fraction : NAN;
 	table->last_step = sim->clock.step;
 	table->last_time = ts_sim_time(sim);

@@ -158,6 +158,23 @@ echo 'run 0' >>in.still
 "$TSIM" -in in.still -report u.html -log none >out 2>&1 && [ "$(grep -c '<img' u.html)" = 1 ] &&
 	grep -q 'first and last state, step 0' u.html
 report "nothing has changed: one picture" $? out
+sed '/^run/,$d' in.fall >in.zero
+cat >>in.zero <<'END'
+variable k loop 3
+variable square equal v_k*v_k
+thermo_style custom step cpu v_square
+label again
+run 0
+next k
+jump SELF again
+variable square equal 9
+run 0
+run 5
+END
+"$TSIM" -in in.zero -report z.html -log none >out 2>&1 && grep -q '4 rows, 5 runs' z.html &&
+	grep -q '<tr><td>square</td><td class="n">1</td><td class="n">9</td><td class="n">1</td><td class="n">9</td></tr>' z.html
+report "rows of one step are left out only where they repeat the last one" $? z.html
+wellformed "its page" z.html
 (echo 'report picture none' && cat in.fall) >in.none
 "$TSIM" -in in.none -report e.html -log none >out 2>&1 && ! grep -q '<img' e.html
 report "picture none" $? out
