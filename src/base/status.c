@@ -85,6 +85,18 @@ enum ts_status ts_missing_at(struct ts_error *err, const char *kind, const char 
 	return TS_UNKNOWN;
 }
 
+enum ts_status ts_conflict_at(struct ts_error *err, const struct ts_place *place, const char *source,
+			      int source_line, const char *format, ...)
+{
+	va_list args;
+
+	err->conflict |= err->status == TS_OK;
+	va_start(args, format);
+	ts_vfail_at(err, TS_STATE, place, source, source_line, format, args);
+	va_end(args);
+	return TS_STATE;
+}
+
 void ts_error_clear(struct ts_error *err)
 {
 	*err = (struct ts_error){ 0 };

@@ -7,6 +7,7 @@
 #define TS_BASE_STATUS_H
 
 #include <stdarg.h>
+#include <stdbool.h>
 
 /* clang-format off */
 #define TS_STATUS_LIST(X)                                                                          \
@@ -44,6 +45,7 @@ struct ts_error {
 	int source_line;
 	char message[1024];
 	char missing[96]; /* the missing object, e.g. "compute total"; "": none */
+	bool conflict;	  /* ts_conflict */
 };
 
 /* Stores the message unless there is one already, and returns the code: `return ts_fail(&sim->error,
@@ -55,6 +57,11 @@ struct ts_error {
 enum ts_status ts_missing_at(struct ts_error *err, const char *kind, const char *name,
 			     const struct ts_place *place, const char *source, int source_line,
 			     const char *format, ...) __attribute__((format(printf, 7, 8)));
+/* TS_STATE: definitions exclude each other (a second region of that name, deletion of what is in use), whatever the
+ * numbers of the script are: -check reports it behind unknown values, too. */
+#define ts_conflict(err, place, ...) ts_conflict_at(err, place, __FILE__, __LINE__, __VA_ARGS__)
+enum ts_status ts_conflict_at(struct ts_error *err, const struct ts_place *place, const char *source,
+			      int source_line, const char *format, ...) __attribute__((format(printf, 5, 6)));
 enum ts_status ts_fail_at(struct ts_error *err, enum ts_status code, const struct ts_place *place,
 			  const char *source, int source_line, const char *format, ...)
 	__attribute__((format(printf, 6, 7)));

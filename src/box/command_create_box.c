@@ -21,7 +21,7 @@ static enum ts_status create_box(struct tsim *sim, void *state, const struct ts_
 	double lo[3], hi[3];
 
 	if (sim->has_box)
-		return ts_fail(&sim->error, TS_STATE, where, "there is a simulation box already");
+		return ts_conflict(&sim->error, where, "there is a simulation box already");
 	for (int k = 0; k < 6; k++)
 		if (s->none[k])
 			return ts_fail(&sim->error, TS_RANGE, where,

@@ -209,9 +209,9 @@ static enum ts_status find_position(struct tsim *sim, enum ts_kind kind, const s
 		if (ts_streq(list->item[*at]->id, id))
 			break;
 	if (*at < list->n && *id && list->item[*at]->style != style)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "%s id '%s' is already in use by style %s (%s:%d)", ts_kind_name(kind), id,
-			       list->item[*at]->style->name, TS_FILE_AND_LINE(list->item[*at]->where));
+		return ts_conflict(&sim->error, where, "%s id '%s' is already in use by style %s (%s:%d)",
+				   ts_kind_name(kind), id, list->item[*at]->style->name,
+				   TS_FILE_AND_LINE(list->item[*at]->where));
 	if (*at == list->n && TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;

@@ -99,10 +99,10 @@ static enum ts_status refuse_retired(struct tsim *sim)
 		const struct ts_instance *user = ts_uses_retired_region(sim, region);
 
 		if (user)
-			return ts_fail(&sim->error, TS_STATE, &user->where,
-				       "%s %s uses region %s (%s:%d), which has been deleted since",
-				       ts_kind_name(user->style->kind), user->id, region->id,
-				       TS_FILE_AND_LINE(region->where));
+			return ts_conflict(&sim->error, &user->where,
+					   "%s %s uses region %s (%s:%d), which has been deleted since",
+					   ts_kind_name(user->style->kind), user->id, region->id,
+					   TS_FILE_AND_LINE(region->where));
 	}
 	return TS_OK;
 }

@@ -208,15 +208,15 @@ static enum ts_status delete_group(struct tsim *sim, const struct state *s, cons
 	TS_TRY(ts_group_require(sim, &word, &bit));
 	user = ts_uses_group(sim, bit);
 	if (user)
-		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is in use by %s %s (%s:%d)", s->id,
-			       ts_kind_name(user->style->kind), user->id, TS_FILE_AND_LINE(user->where));
+		return ts_conflict(&sim->error, where, "group '%s' is in use by %s %s (%s:%d)", s->id,
+				   ts_kind_name(user->style->kind), user->id, TS_FILE_AND_LINE(user->where));
 	for (int child = 1; child < TS_MAX_GROUPS; child++)
 		if (sim->particles->dynamic[child].every && sim->particles->dynamic[child].parent == bit)
-			return ts_fail(&sim->error, TS_STATE, where,
-				       "group '%s' is the parent of the dynamic group '%s'", s->id,
-				       ts_group_name(sim, child));
+			return ts_conflict(&sim->error, where,
+					   "group '%s' is the parent of the dynamic group '%s'", s->id,
+					   ts_group_name(sim, child));
 	if (ts_neigh_uses_group(sim->neigh, bit))
-		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is used by neigh_modify", s->id);
+		return ts_conflict(&sim->error, where, "group '%s' is used by neigh_modify", s->id);
 	remove_members(sim->particles, bit);
 	sim->particles->dynamic[bit].every = 0;
 	sim->groups.name[bit] = NULL;

@@ -36,11 +36,11 @@ static enum ts_status check_definition(struct tsim *sim, int bit)
 	const struct ts_dynamic_group *g = &sim->particles->dynamic[bit];
 
 	if (!ts_group_name(sim, g->parent))
-		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: its parent group was deleted",
-			       ts_group_name(sim, bit));
+		return ts_conflict(&sim->error, NULL, "dynamic group %s: its parent group was deleted",
+				   ts_group_name(sim, bit));
 	if (g->region && !find_region(sim, bit))
-		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: there is no region %s",
-			       ts_group_name(sim, bit), g->region);
+		return ts_conflict(&sim->error, NULL, "dynamic group %s: there is no region %s",
+				   ts_group_name(sim, bit), g->region);
 	return TS_OK;
 }
 

@@ -29,8 +29,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return delete_region(sim, s->id, where);
 	old = ts_sim_find(sim, TS_KIND_REGION, s->id);
 	if (old)
-		return ts_fail(&sim->error, TS_STATE, ts_sim_word(sim, 1, where),
-			       "there is a region '%s' already (%s:%d)", s->id, TS_FILE_AND_LINE(old->where));
+		return ts_conflict(&sim->error, ts_sim_word(sim, 1, where),
+				   "there is a region '%s' already (%s:%d)", s->id,
+				   TS_FILE_AND_LINE(old->where));
 	TS_TRY(ts_style_require(sim, TS_KIND_REGION, &s->rest.word[0], &style));
 	return ts_sim_create(sim, TS_KIND_REGION, style, s->id, 0, ts_words_from(s->rest, 1),
 			     &s->rest.word[0].place, NULL);

@@ -33,8 +33,8 @@ static enum ts_status read_add(struct tsim *sim, struct read_data *c, const stru
 	struct ts_suggest suggest = ts_suggest_start(how);
 
 	if (!c->add.n && sim->has_box)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "there is a simulation box already: use `add append` or `add merge`");
+		return ts_conflict(&sim->error, where,
+				   "there is a simulation box already: use `add append` or `add merge`");
 	if (!c->add.n)
 		return TS_OK;
 	if (c->add.n > 2)

@@ -538,8 +538,8 @@ enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct 
 	enum ts_status status;
 
 	if (ts_sim_has_box(sim))
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "there is a box already: read_restart comes before create_box");
+		return ts_conflict(&sim->error, where,
+				   "there is a box already: read_restart comes before create_box");
 	r = new_reader(sim, path, where);
 	if (!r)
 		return ts_nomem(&sim->error);

@@ -108,11 +108,13 @@ static bool may_be_unknown(const struct ts_script *script, const struct ts_error
 	if (error->status == TS_SYNTAX || error->status == TS_UNKNOWN)
 		return false;
 	snprintf(key, sizeof key, "%s:%d", error->place.file ? error->place.file : "", error->place.line);
-	return check->alternatives || ts_map_get(&check->guessed, key) ||
-	       names_unknown_value(check, error->place.text);
+	if (check->alternatives || error->conflict)
+		return check->alternatives;
+	return ts_map_get(&check->guessed, key) || names_unknown_value(check, error->place.text);
 }
 
-/* Whether the error may follow from an earlier one. */
+/* Whether the error may follow from an earlier one, or from a number in place of an unknown one. No such number makes
+ * definitions exclude each other. */
 static bool may_follow_from_error(const struct ts_check *check, const struct ts_error *error)
 {
 	if (error->missing[0] && ts_map_get(&check->lost, error->missing))
@@ -120,7 +122,7 @@ static bool may_follow_from_error(const struct ts_check *check, const struct ts_
 	if (check->unread && strncmp(error->missing, "group ", 6) == 0)
 		return true;
 	if (error->status == TS_STATE || error->status == TS_PHYSICS)
-		return check->weak || check->substitute_box;
+		return check->weak || check->substitute_box || (check->guesses && !error->conflict);
 	return error->status == TS_RANGE && check->substitute_box;
 }
 
@@ -185,6 +187,7 @@ enum ts_status ts_check_defer_error(struct ts_script *script, enum ts_status sta
 static enum ts_status create_substitute_box(struct ts_script *script, struct ts_words words)
 {
 	struct ts_check *check = script->check;
+	const bool guesses = check->guesses;
 	char text[160];
 	int64_t types;
 	enum ts_status status;
@@ -199,11 +202,12 @@ static enum ts_status create_substitute_box(struct ts_script *script, struct ts_
 		 "%sregion box-of-check block 0 1 0 1 -0.5 0.5 units box\n"
 		 "create_box %d box-of-check\nregion box-of-check delete",
 		 script->sim->dimension == 2 ? "boundary f f p\n" : "", (int)types);
-	check->weak = false;
+	check->weak = check->guesses = false;
 	check->creating_box = true;
 	status = ts_script_execute(script, text, NULL);
 	check->creating_box = false;
 	check->weak = true;
+	check->guesses = guesses;
 	return status;
 }
 
@@ -225,7 +229,7 @@ static enum ts_status mark_names_lost(struct ts_script *script, struct ts_words 
 	const char *command = words.word[0].text;
 
 	script->check->weak |= !is_harmless(command);
-	script->sim->review.doubtful = script->check->weak;
+	script->sim->review.doubtful = script->check->weak || script->check->guesses;
 	script->check->unread |= ts_streq(command, "read_restart");
 	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++) {
 		if (!ts_streq(makes[k].command, command))
@@ -249,6 +253,17 @@ static enum ts_status mark_guessed(struct ts_script *script, const char *text)
 	return TS_OK;
 }
 
+/* Whether the line defines or deletes something whose name has an unknown value: what there is then is not known. */
+static bool names_by_guess(const struct ts_script *script, struct ts_words words)
+{
+	static const char *const commands[] = { "fix", "unfix", "region", "group", "molecule" };
+
+	for (size_t k = 0; words.n > 1 && k < sizeof commands / sizeof *commands; k++)
+		if (ts_streq(commands[k], words.word[0].text))
+			return ts_unknown_in_text(script->sim, words.word[1].text);
+	return false;
+}
+
 enum ts_status ts_check_mark_guessed(struct ts_script *script, const struct ts_line *line,
 				     struct ts_words words)
 {
@@ -256,7 +271,8 @@ enum ts_status ts_check_mark_guessed(struct ts_script *script, const struct ts_l
 	struct ts_check *check = script->check;
 	char place[300];
 
-	check->weak |= !is_harmless(command) || ts_streq(command, "timestep");
+	check->guesses |= !is_harmless(command) || ts_streq(command, "timestep");
+	check->weak |= names_by_guess(script, words);
 	if (script->sim->reading.from_run[0])
 		script->formulas.unknown = ts_pool_get(script->sim->pool, script->sim->reading.from_run);
 	snprintf(place, sizeof place, "%s:%d", line->row[0].file, line->row[0].line);

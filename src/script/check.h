@@ -62,6 +62,7 @@ struct ts_check {
 	int left_out;	       /* messages left out because they may follow from an error */
 	int open;	       /* messages left out because they may follow from an unknown value */
 	bool weak;	       /* a line has failed on which later ones may depend: may_follow_from_error */
+	bool guesses;	       /* the simulation has got numbers in place of unknown ones: the same */
 	bool substitute_box;   /* the box stands in for one that could not be created */
 	bool creating_box;     /* that box is being created */
 	bool unread;	       /* a restart file could not be read: its groups are unknown */

@@ -31,7 +31,7 @@ static double replace_unknown(struct ts_script *script, double value)
 	if (!ts_unknown(script->sim, value))
 		return value;
 	if (script->check)
-		script->check->weak = true;
+		script->check->guesses = true;
 	return 1;
 }
 

@@ -25,11 +25,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
 		any |= ts_wall_meshes(w) > 0 || s->primitives;
 	if (!any)
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "compute wall/gran/local needs a fix wall/gran before it, %s",
-			       s->primitives
-				       ? "and there is none"
-				       : "with a mesh; `primitives yes` lists planes and cylinders, too");
+		return ts_conflict(&sim->error, &self->where,
+				   "compute wall/gran/local needs a fix wall/gran before it, %s",
+				   s->primitives
+					   ? "and there is none"
+					   : "with a mesh; `primitives yes` lists planes and cylinders, too");
 	ts_walls_want_reports(sim);
 	TS_TRY(ts_contact_columns_init(self, sim));
 	if (s->columns.wanted[TS_CONTACT_HEAT] && !ts_heat_of(sim))

@@ -60,9 +60,9 @@ static enum ts_status check_walls(struct ts_instance *self, const struct ts_sque
 		const struct ts_instance *by = ts_sim_find(s->sim, TS_KIND_FIX, s->id[k]);
 
 		if (!by || by->state != s->wall[k])
-			return ts_fail(&s->sim->error, TS_STATE, &self->where,
-				       "compute %s %s: the wall %s has been deleted since the last run",
-				       self->style->name, self->id, s->id[k]);
+			return ts_conflict(&s->sim->error, &self->where,
+					   "compute %s %s: the wall %s has been deleted since the last run",
+					   self->style->name, self->id, s->id[k]);
 	}
 	return TS_OK;
 }

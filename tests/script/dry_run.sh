@@ -458,6 +458,61 @@ report 'no warning that only follows' $? out
 shows '1 message was left out that depends' out
 report 'counts the warning that was left out' $? out
 
+# what no number makes right stays an error behind a fix that has read an unknown variable, and beside unknown words
+cat >known <<'END'
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+group g empty
+variable push equal ke(all)
+fix add all addforce v_push 0 0
+compute k g ke
+region hole sphere 0.5 0.5 0.5 0.1 units box
+compute c all reduce/region hole sum vx
+thermo_style custom step c_c
+run 20
+region wide block 0 $(ke) 0 1 0 1 units box
+END
+while read -r place text; do
+	{ cat known && echo "$text"; } | sed 's/; /\n/' >in.known
+	read -r message
+	check conflict.in <in.known
+	errors "$text, behind unknown values" <<<"$place $message"
+done <<'END'
+12:8: region b block 0 0.5 0 1 0 0.4 units box
+there is a region 'b' already
+12:8: region wide block 0 1 0 1 0 1 units box
+there is a region 'wide' already
+12:1: group g delete
+group 'g' is in use by compute k
+12:13: fix add all gravity 9.81 vector 0 0 -1
+fix id 'add' is already in use by style addforce
+12:1: create_box 1 b
+there is a simulation box already
+8:15: region hole delete; run 1
+compute c uses region hole
+END
+
+# unless what there is depends on them
+check perhaps.in <<'END'
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+region r1 block 0 1 0 1 0 1 units box
+fix f1 all nve
+group g1 empty
+run 20
+if "$(ke) > 1" then "region r1 delete"
+region r1 block 0 2 0 1 0 1 units box
+region r$(ke) block 0 2 0 1 0 1 units box
+region n$(ke) block 0 2 0 1 0 1 units box
+region n$(temp) block 0 2 0 1 0 1 units box
+region q block 0 1 0 1 0 1 units box
+region q$(ke) delete
+if "$(ke) > 1" then "region s block 0 1 0 1 0 1" else "region s sphere 0 0 0 1"
+fix f$(ke) all gravity 9.81 vector 0 0 -1
+END
+errors 'none that an unknown name makes' <<'END'
+END
+
 # a lost name in quotes does not make an error one that follows: it must be what is missing
 check alike.in <<'END'
 variable stif equal 1 2
