@@ -87,7 +87,10 @@ nof() {
 }
 nof 'a load beyond the hardness' 'the pad can carry at most 0.8 of the load 1.6' 'fix w all wafer pad settled stiffness 8 hardness 0.1 pressure 0.2'
 nof 'friction that topples' 'no equilibrium' 'fix w all wafer pad settled stiffness 8 pressure 0.2 friction 1 arm 1.01'
-nof 'no pressure' 'the back pressure is 0, must be > 0' 'fix w all wafer pad settled stiffness 8 pressure 0'
+nof 'no pressure' 'the back pressure is 0, must be > 0' 'variable p equal 0
+fix w all wafer pad settled stiffness 8 pressure v_p'
+nof 'a pressure that pulls' 'pressure is -1, expected a number > 0' 'fix w all wafer pad settled stiffness 8 pressure -1'
+refused 'by -check, too' 'pressure is -1, expected a number > 0' -check -in in.script
 nof 'an unstable step' 'time step' 'fix w all wafer pad dynamic mass 1e-6 inertia_1 1 inertia_2 1 stiffness 8 pressure 0.2'
 nof 'a pad that leaves' 'it would leave the wafer' 'fix q all surface/voxel constant 1 type 1 cells 2 2 origin 1 0.5 size 1 1 move linear 0.1 0 0
 fix w all wafer q settled stiffness 8 pressure 0.2'

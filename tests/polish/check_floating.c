@@ -344,7 +344,7 @@ START_TEST(refusals)
 	refuses("pad dynamic mass 0 inertia_1 1 inertia_2 1" SPRINGS, SLIDES, "mass");
 	refuses("pad dynamic mass 1 inertia_1 -1 inertia_2 1" SPRINGS, SLIDES, "inertia_1");
 	refuses("pad settled joint_1 0.6" SPRINGS, SLIDES, "the joint is 0.6 from the middle of the wafer");
-	refuses("pad settled stiffness 1e3 pressure 0", SLIDES, "the back pressure is 0, must be > 0");
+	refuses("pad settled stiffness 1e3 pressure 0", SLIDES, "pressure is 0, expected a number > 0");
 	refuses("pad settled stiffness 1e3 pressure v_zero", SLIDES, "the back pressure is 0, must be > 0");
 	refuses("pad settled" SPRINGS, "lower 0 cavitation half open xlo xhi",
 		"not possible with cavitation half");

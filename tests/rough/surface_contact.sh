@@ -111,9 +111,13 @@ run 0'
 echo '1 nan' >nan
 no 'heights that are no numbers' "'nan'" 'fix t all surface/voxel file nan type 1
 run 0'
-no 'no load' 'the mean pressure is 0, must be > 0' 'compute c all surface/contact s winkler 1 pressure 0
+no 'no load' 'the mean pressure is 0, must be > 0' 'variable p equal 0
+compute c all surface/contact s winkler 1 pressure v_p
 run 0
 print "$(c_c)"'
+no 'a load that pulls' 'pressure is -4e4, expected a number > 0' 'compute c all surface/contact s winkler 1 pressure -4e4
+run 0'
+refused 'by -check, too' 'pressure is -4e4, expected a number > 0' -check -in in.script
 no 'too few iterations' 'give more `iterations`' 'compute c all surface/contact s halfspace young 1 poisson 0 iterations 2 pressure 0.01
 run 0
 print "$(c_c)"'
