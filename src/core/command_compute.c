@@ -34,7 +34,9 @@ const struct ts_command_style ts_command_compute = {
 		       "variable, a fix or\n"
 		       "a dump. See the pages of the compute styles. `update_on_run_end yes|no` of LIGGGHTS "
 		       "behind the\n"
-		       "style has no effect.",
+		       "style has no effect.\n\n"
+		       "A compute with the id of one of the same style replaces it; LIGGGHTS and LAMMPS refuse "
+		       "that.",
 		.example = "compute energy all ke",
 		.args = args,
 		.ranks = TS_RANKS_FORMULAS,

@@ -22,7 +22,8 @@ const struct ts_command_style ts_command_dump = {
 		.summary = "Writes snapshots to files during runs",
 		.doc = "Defines a dump, which writes snapshots to files during runs; the styles have pages of "
 		       "their own. dump_modify changes the settings of a dump, undump ends it. Folders in the "
-		       "path of the file are created if they do not exist.",
+		       "path of the file are created if they do not exist. A dump with the id of one of the "
+		       "same style replaces it; LIGGGHTS and LAMMPS refuse that.",
 		.example = "dump rock all custom 1000 post/rock.dump id type x y z radius",
 		.args = args,
 		.ranks = TS_RANKS_FORMULAS,

@@ -408,7 +408,8 @@ const struct ts_style ts_fix_move_mesh = {
 	       "sin(w t) in the order of the time step. Contact laws use the velocity of the surface at the "
 	       "contact point; in the forces before the first step the mesh is at rest, as in LIGGGHTS.\n\n"
 	       "Several fixes may move one mesh: they act one after the other in each step, and each of them "
-	       "also moves the origins of those after it. If a fix is deleted, the mesh stays where it is. A "
+	       "also moves the origins of those after it (in LIGGGHTS not those of riggle and vibrot). If a "
+	       "fix is deleted, the mesh stays where it is. A "
 	       "mesh with surface_vel or surface_ang_vel cannot move.\n\n"
 	       "Related: fix mesh/surface, fix move/mesh/free, fix mesh/surface/stress/servo.",
 	.example = "fix lift all move/mesh mesh cad linear 0 0 0.1\n"
