@@ -45,16 +45,22 @@ static void find_nearest(const struct search *s, int64_t i, int64_t j, double to
 	near->p[2] = s->x[2] > top ? top : s->x[2] < s->f->base ? s->f->base : s->x[2];
 }
 
+/* Steps up to this one are none, see voxel_touch.h. */
+static double least_step(const struct ts_voxel_field *f, double height)
+{
+	return 1e-9 * fmin(f->width[0], f->width[1]) + 1e-14 * fabs(height);
+}
+
 /* Whether the neighbour at di, dj contains the point and has a nearer one, or owns it. */
 static bool is_covered_by(const struct search *s, int64_t i, int64_t j, const struct nearest *near, int di,
 			  int dj)
 {
-	double top = ts_voxel_top(s->f, i + di, j + dj);
-	bool nearer = (di && near->beyond[0]) || (dj && near->beyond[1]) ||
-		      (s->x[2] > near->p[2] && top > near->p[2]);
-	bool owns = dj > 0 || (dj == 0 && di > 0);
+	const double top = ts_voxel_top(s->f, i + di, j + dj), height = near->p[2];
+	const bool above = s->x[2] > height, owns = dj > 0 || (dj == 0 && di > 0);
 
-	return top >= near->p[2] && (nearer || owns);
+	if ((di && near->beyond[0]) || (dj && near->beyond[1]))
+		return top >= (above ? height - least_step(s->f, height) : height);
+	return top >= height && ((above && top > height) || owns);
 }
 
 static bool is_covered(const struct search *s, int64_t i, int64_t j, const struct nearest *near)

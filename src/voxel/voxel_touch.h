@@ -21,6 +21,11 @@
  * one column, and a flat field has one contact point for any c: below c, with the normal along the axis of the
  * heights. All of this is decided by comparisons of coordinates and heights, without rounding.
  *
+ * An edge is a contact point of its own however small its step is: round-off of heights would double the force. So p_B
+ * on a top counts as a point of B' beyond the border towards c, too, if it is above B' by no more than 1e-9 of the width
+ * of a column or the rounding of heights. One contact point remains at least: each one left out has a column that is
+ * nearer across the heights.
+ *
  * A centre in the solid has the distance 0 and no normal. */
 #ifndef TS_VOXEL_VOXEL_TOUCH_H
 #define TS_VOXEL_VOXEL_TOUCH_H

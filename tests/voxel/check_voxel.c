@@ -209,6 +209,47 @@ START_TEST(flat_field_has_no_seams)
 }
 END_TEST
 
+/* Steps of the size of rounding make no contacts: those of a field are the same in number and, to the steps, in place if
+ * its heights are disturbed a little. */
+START_TEST(steps_of_rounding_are_none)
+{
+	struct ts_rng rng = ts_rng_start(49979687, 0);
+	static struct ts_voxel_contact plain[MOST], disturbed[MOST];
+	size_t total = 0;
+
+	for (int k = 0; k < 40; k++) {
+		struct ts_voxel_field f;
+
+		make_field(&f, &rng, 6, 7, k & 1, k & 2);
+		for (int l = 0; l < 100; l++) {
+			double c[3], height[42], difference = 0;
+			size_t n, m;
+
+			place_centre(&f, &rng, c);
+			c[2] = pick(&rng, -0.4, 0.5);
+			n = ts_voxel_contacts(&f, c, 0.3, plain, MOST);
+			for (int j = 0; j < 42; j++) {
+				height[j] = ts_voxel_heights(&f)[j];
+				if (height[j] > f.base + 0.01)
+					ts_voxel_heights(&f)[j] += pick(&rng, -1e-12, 1e-12);
+			}
+			ts_voxel_field_update(&f);
+			m = ts_voxel_contacts(&f, c, 0.3, disturbed, MOST);
+			ck_assert_uint_eq(m, n);
+			for (size_t j = 0; j < n; j++) /* on a border in another order */
+				difference += disturbed[j].distance - plain[j].distance;
+			ck_assert(fabs(difference) < 1e-11);
+			for (int j = 0; j < 42; j++)
+				ts_voxel_heights(&f)[j] = height[j];
+			ts_voxel_field_update(&f);
+			total += n;
+		}
+		ts_voxel_field_release(&f);
+	}
+	ck_assert_uint_gt(total, 4000);
+}
+END_TEST
+
 /* ---- signed distance */
 
 /* Distance of c from the solid (`sign` 1), or from the space outside (-1), by all columns. */
@@ -459,6 +500,7 @@ int main(void)
 	tcase_set_timeout(touch, 60);
 	tcase_add_test(touch, contacts_are_all_local_minima);
 	tcase_add_test(touch, flat_field_has_no_seams);
+	tcase_add_test(touch, steps_of_rounding_are_none);
 	tcase_add_test(touch, signed_distance_is_that_of_all_columns);
 	tcase_add_test(touch, columns_contain_their_lower_border);
 	tcase_add_test(touch, maxima_follow_changes);

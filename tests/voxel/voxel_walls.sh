@@ -181,6 +181,7 @@ print \"is sum \$(f_w[3]/1000:%.15g) \$(-($8):%.15g) 0.1\""
 step='-0.06*(v_cx>0)'
 sphere 'on the upper step' -0.05 0.03 0.09 "$step" 0 0 0.01
 sphere 'on the border, above the edge' 0 0.03 0.09 "$step" 0 0 0.01
+sphere 'beside a step of the size of rounding' -0.01 0.03 0.09 '1e-12*(v_cx>0)' 0 0 0.01
 sphere 'beyond the edge' 0.03 0.03 0.08 "$step" '(0.1/sqrt(0.03^2+0.08^2)-1)*0.03' 0 '(0.1/sqrt(0.03^2+0.08^2)-1)*0.08'
 sphere 'the side of the step and the floor' 0.08 0.03 -0.00 "$step" 0.02 0 0.04
 sphere 'the centre at the height of the step' 0.08 0.03 0 "$step-0.3*(v_cx>0)" 0.02 0 0
