@@ -490,7 +490,7 @@ static const struct ts_arg args[] = {
 		.help = "lower heights are raised to this one"),
 	TS_REAL("base", struct state, base, .flags = TS_OPTIONAL | TS_STATEFUL, .unit = "length",
 		.help = "bottom of all columns; default: they have none"),
-	TS_BOOL("merge", struct state, surface.merges, .flags = TS_STATEFUL, .fallback = "no",
+	TS_BOOL("merge", struct state, surface.merges, .flags = TS_STATEFUL, .fallback = "yes",
 		.help = "whether contact points within the contact area of a deeper one belong to it"),
 	TS_REAL("temperature", struct state, surface.temperature, .flags = TS_OPTIONAL, .unit = "temperature",
 		.help = "for fix heat/gran"),
@@ -552,24 +552,27 @@ static const char doc[] =
 	"particle on columns of equal height has one contact, as on a plane, with the same force bit for "
 	"bit; columns whose heights differ by less than 1e-9 of their width, or by rounding, count as equal. "
 	"The history of a contact that slides from column to column is kept, see fix wall/gran. If the "
-	"centre of a particle gets into the solid the run stops.\n\n"
-	"Where columns are narrower than the contact area, as on a ramp of narrow columns, a particle "
-	"touches several edges, each of which is a contact of its own, and the wall is stiffer than the "
-	"plane. With `merge yes` a contact point p belongs to a deeper one p_1 if\n\n"
+	"centre of a particle gets into the solid the run stops.";
+
+static const char *const doc_more[] = {
+	"Where columns are narrower than the contact area, as on a ramp of narrow columns, and beside steps "
+	"lower than the overlap, as wear makes them, several of these points lie in one contact area. They "
+	"are one contact: with `merge yes`, the default, a contact point p belongs to a deeper one p_1 "
+	"if\n\n"
 	"  |p - p_1|^2 < 2 (R^2 - d_1^2),\n\n"
 	"d_1 being the distance of p_1 from the centre: sqrt(R^2 - d_1^2) is the radius of the circle in "
 	"which the sphere cuts the tangent plane. Only the deepest contact of an area acts, so that the "
 	"force converges to that of the smooth surface as the columns become narrower, with an error of "
-	"first order in their width. Contacts with sides and in corners stay apart as long as overlaps are "
-	"small.\n\n"
+	"first order in their width, and does not jump at low steps. Contacts with sides and in corners "
+	"stay apart as long as overlaps are small: at right angles below 0.29 R.",
+	"With `merge no` each edge is a contact of its own: beside a step of any height the force doubles, "
+	"and the narrower the columns are the stiffer is the wall. Edges that share the force give the "
+	"direction of elastic rebounds from a ramp more exactly, with an error of higher order in the width.",
 	"The field is periodic along an axis along which it spans a periodic box. Elsewhere it ends with "
 	"side faces. In a box that is periodic along the heights a `base` is needed, and no column may be "
-	"longer than the "
-	"box.\n\n"
+	"longer than the box.",
 	"The time t of `move` counts from the definition of the fix. Fixes wear/... with `evolve yes` lower "
-	"the columns. Restart files contain the heights.";
-
-static const char *const doc_more[] = {
+	"the columns. Restart files contain the heights.",
 	"With `winkler K` each column is a spring under a particle, K times its cross-section stiff: the "
 	"Winkler foundation of compute surface/contact. Contact law and spring are in series, and the top is "
 	"in balance at any time: the point of contact goes back by u along the axis of the heights, where\n\n"
@@ -580,7 +583,8 @@ static const char *const doc_more[] = {
 	"where they are without load; so is the surface for all other styles. The contact is softer than "
 	"without `winkler`, so the same time step is stable. It needs a law of type hooke or hertz; `impact "
 	"exact` and fix energy/ledger are refused.",
-	"Related: fix wall/gran, fix mesh/surface, dump voxel/vtk, compute surface/contact.", NULL
+	"Related: fix wall/gran, fix mesh/surface, dump voxel/vtk, compute surface/contact.",
+	NULL
 };
 
 TS_STYLE(fix, ts_style, ts_fix_surface_voxel)

@@ -2,7 +2,7 @@
  * nearest edge is at most at half of their spacing l from the foot of the perpendicular, so that the distance of the
  * staircase is at most sqrt(d^2 + l^2/4) - d = l^2/(8 d) larger, of second order in the width of the columns, and
  * its normal turned by at most l/(2 d), of first order. The velocity of a sphere that rebounds from it converges
- * faster as soon as several edges within the contact area sqrt(2 R overlap) share the force. */
+ * faster as soon as several edges within the contact area sqrt(2 R overlap) share the force, with `merge no`. */
 #include "../deck.h"
 
 #include <math.h>
@@ -91,7 +91,7 @@ static double rebound_error(double width)
 			  "fix mu all property/global coefficientFriction peratomtypepair 1 0\n"
 			  "variable cx internal 0\n"
 			  "variable h equal %.17g*v_cx\n"
-			  "fix ramp all surface/voxel formula v_h x cx type 1 cells %d 1\n"
+			  "fix ramp all surface/voxel formula v_h x cx type 1 cells %d 1 merge no\n"
 			  "fix wall all wall/gran model hooke/stiffness tangential no_history voxels ramp\n"
 			  "fix move all nve",
 			  slope, (int)rint(1 / width));

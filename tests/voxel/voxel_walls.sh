@@ -168,7 +168,7 @@ variable y equal $3
 variable z equal $4
 include in.sphere
 variable h equal $5
-fix s all surface/voxel formula v_h x cx y cy type 1 cells ${cells-20 20}
+fix s all surface/voxel formula v_h x cx y cy type 1 cells ${cells-20 20} ${merge-}
 fix w all wall/gran \${law} voxels s
 compute c all wall/gran/local id force
 compute n all reduce max c_c[1]
@@ -183,13 +183,22 @@ sphere 'on the upper step' -0.05 0.03 0.09 "$step" 0 0 0.01
 sphere 'on the border, above the edge' 0 0.03 0.09 "$step" 0 0 0.01
 sphere 'beside a step of the size of rounding' -0.01 0.03 0.09 '1e-12*(v_cx>0)' 0 0 0.01
 sphere 'beyond the edge' 0.03 0.03 0.08 "$step" '(0.1/sqrt(0.03^2+0.08^2)-1)*0.03' 0 '(0.1/sqrt(0.03^2+0.08^2)-1)*0.08'
+# deep overlaps, whose contact areas would reach each other; each edge beside a low step a contact, or none
+merge='merge no'
 sphere 'the side of the step and the floor' 0.08 0.03 -0.00 "$step" 0.02 0 0.04
 sphere 'the centre at the height of the step' 0.08 0.03 0 "$step-0.3*(v_cx>0)" 0.02 0 0
 sphere 'the centre below the height of the step' 0.08 0.03 -0.1 "$step-0.3*(v_cx>0)" 0.02 0 0
 sphere 'a corner' 0.03 0.04 0.06 '-3*(1-(v_cx<0)*(v_cy<0))' '(0.1/sqrt(0.0061)-1)*0.03' '(0.1/sqrt(0.0061)-1)*0.04' \
 	'(0.1/sqrt(0.0061)-1)*0.06'
 sphere 'a corner of three faces' 0.08 0.07 0.09 '1-(v_cx>0)*(v_cy>0)' 0.02 0.03 0.01
+sphere 'a low step, edges apart' -0.01 0.03 0.09 '1e-4*(v_cx>0)' '-0.01*(0.1/sqrt(0.01^2+0.0899^2)-1)' 0 \
+	'0.01+0.0899*(0.1/sqrt(0.01^2+0.0899^2)-1)'
 sphere 'the axis of a pit' 0.05 0.05 -0.5 '0.9*(1-(abs(v_cx-0.05)<0.06)*(abs(v_cy-0.05)<0.06))-0.58' 0 0 0.02
+unset merge
+sphere 'a low step' -0.01 0.03 0.09 '1e-4*(v_cx>0)' 0 0 0.01
+sphere 'a low step that is nearer' -0.001 0.03 0.09 '1e-4*(v_cx>0)' '-0.001*(0.1/sqrt(0.001^2+0.0899^2)-1)' 0 \
+	'0.0899*(0.1/sqrt(0.001^2+0.0899^2)-1)'
+sphere 'low steps on four sides' -0.05 0.05 0.09 '1e-4*((v_cx>0)+(v_cx<-0.1)+(v_cy>0.1)+(v_cy<0))' 0 0 0.01
 cells='1 1'
 sphere 'the outer side of the field' 0.03 0.03 0.95 0.9 0 0 0.05
 cells='2000 2000'
@@ -235,7 +244,7 @@ pair_coeff * *
 fix g all gravity 9.81 vector 0 0 -1
 fix move all nve/sphere
 timestep 1e-4
-fix s all surface/voxel gaussian mean 0 deviation 0.01 correlation 0.02 seed 7 type 1 cells 200 200
+fix s all surface/voxel gaussian mean 0 deviation 0.01 correlation 0.02 seed 7 type 1 cells 200 200 merge no
 fix w all wall/gran model hertz tangential history voxels s
 compute c all wall/gran/local id force
 compute m all reduce sum c_c[4] c_c[5] c_c[6]
