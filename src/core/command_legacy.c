@@ -72,11 +72,11 @@ static const char *const further[] = {
 	"on meshes are doubled in LIGGGHTS; a list built because of a moving mesh is built some steps "
 	"earlier or later; a fix move/mesh moves the origins of riggle and vibrot behind it, too, which "
 	"stay where they are in LIGGGHTS; templates of spheres and clumps in one mixture are drawn in "
-	"another order; the default log has no column Volume. And compute pe, compute pe/atom and the keywords pe, "
-	"etotal and epair give the elastic energy of contacts. LIGGGHTS and LAMMPS give 0 for granular "
-	"contacts, because their granular pair styles compute no energy; the energy balance (fix "
-	"energy/ledger) needs it. `tsim -crosscheck` shows such columns and does not count them as "
-	"differences.\n\n"
+	"another order; the default log has no column Volume. And compute pe, compute pe/atom and the "
+	"keywords pe, etotal and epair give the elastic energy of contacts. LIGGGHTS and LAMMPS give 0 "
+	"for granular contacts, because their granular pair styles compute no energy; the energy "
+	"balance (fix energy/ledger) needs it. `tsim -crosscheck` shows such columns and does not count "
+	"them as differences.\n\n"
 	"The option `-legacy` of the command line does the same, `-legacy lammps` as `legacy lammps`, "
 	"for scripts that the other program must read, too.",
 	NULL,
