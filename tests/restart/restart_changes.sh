@@ -176,8 +176,8 @@ for cut in 147 213; do
 		{ cat front.$kind && if [ $kind = dump ]; then cat back.dump; else sed 1d back.$kind; fi; } >parts
 		same "$kind of a sieve, cut at $cut" whole.$kind parts
 	done
-	rows whole.log | awk -v cut=$cut 'NF == 16 && $1 > cut' >whole.rows
-	rows back.log | awk -v cut=$cut 'NF == 16 && $1 > cut' >back.rows
+	rows whole.log | awk -v cut=$cut 'NF == 18 && $1 > cut' >whole.rows
+	rows back.log | awk -v cut=$cut 'NF == 18 && $1 > cut' >back.rows
 	same "tables of a sieve, cut at $cut" whole.rows back.rows
 done
 finish
