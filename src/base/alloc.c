@@ -15,9 +15,9 @@
 #include "base/banned.h"
 
 enum { PAGE = 4096, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
-/* Blocks of this size and above are mapped outside of the heap; so much free memory may stay at the end of the heap: with the
- * default, an eighth of MAPPED, it was returned and mapped again, page by page, in each build of the neighbor lists. */
-enum { MAPPED = 1 << 20, KEPT_FREE = 4 * MAPPED };
+/* Blocks of MAPPED bytes and more are mapped outside of the heap: below LARGE they would be mapped and returned page by page
+ * in each build of the neighbor lists. So is free memory at the end of the heap beyond KEPT_FREE, by default MAPPED / 8. */
+enum { MAPPED = LARGE, KEPT_FREE = 4 << 20 };
 
 static atomic_long live_blocks;
 static atomic_long fail_countdown;
