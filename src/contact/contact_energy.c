@@ -73,9 +73,7 @@ enum ts_status ts_contact_energy_require(struct tsim *sim, const struct ts_insta
 				       ? "liquid bridges have no potential energy: the energy that they "
 					 "release depends on the amount of liquid when they break"
 				       : "models hooke/hysteresis and edinburgh have no potential energy: "
-					 "the "
-					 "energy that a contact releases after yielding depends on the path "
-					 "of "
+					 "what a contact releases after yielding depends on the path of "
 					 "unloading");
 	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy &&
 	    !ts_bond_style_of(bond)->element)

@@ -302,8 +302,6 @@ enum ts_status ts_ledger_archive_columns(struct tsim *sim, struct ts_ledger *l, 
 	return TS_OK;
 }
 
-/* Energy that commands have changed since the last run is accounted now; elastic energy after the force
- * computation. */
 /* Of walls the law is known once a run begins. */
 static enum ts_status require_energy(struct ts_instance *self, struct tsim *sim,
 				     const struct ts_granular_model *model)
@@ -319,6 +317,8 @@ static enum ts_status require_energy(struct ts_instance *self, struct tsim *sim,
 		       self->style->name, what);
 }
 
+/* Energy that commands have changed since the last run is accounted now; elastic energy after the force
+ * computation. */
 static enum ts_status begin_run(struct tsim *sim, struct ts_ledger *l)
 {
 	l->due = NOTHING_DUE;

@@ -722,6 +722,21 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, before.number), TS_SAVED_ROWS_END,
 };
 
+static const char sieve_doc[] =
+	"With sieveSize the mesh is a sieve with circular openings of diameter D at distances P = "
+	"sieveSpacing, on a square lattice, that are not resolved. When a particle of diameter d touches "
+	"the mesh, a random number decides whether it passes, with the probability\n\n"
+	"    p = pi/4 ((D - d)/P)^2,  0 for d > D, at most 1\n\n"
+	"of a particle that comes normal to the sieve and does not touch the rim of an opening. Until the "
+	"contact ends it then feels no force; otherwise it is held by the force sieveStiffness times the "
+	"overlap less sieveDamping times the relative velocity, both normal to the mesh, at its nearest "
+	"point. There is no friction, and the mesh does not feel the force. The stiffness must be so high "
+	"that the centre of no particle gets to the other side. Members of rigid bodies are held. "
+	"Particles that roll over a sieve without leaving it are decided upon once. The random numbers are "
+	"functions of the ID of the fix, the atom ID and the time step. f_sieve_ID of a particle is 0 away "
+	"from the mesh, 1 where it is held, 2 where it passes. For openings of any shape use a mesh with "
+	"holes.";
+
 TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
 const struct ts_style ts_fix_massflow_mesh = {
 	.name = "massflow/mesh",
@@ -751,31 +766,7 @@ const struct ts_style ts_fix_massflow_mesh = {
 	       "inner side, 1 on the outer side, 2 if it has passed and is not counted again (count "
 	       "once).\n\n"
 	       "Related: fix mesh/surface, fix property/atom.",
-	.doc_more = (const char *const[]){ "With sieveSize the mesh is a sieve with circular openings of "
-					   "diameter D at distances P = "
-					   "sieveSpacing, on a square lattice, that are not resolved. When a "
-					   "particle of diameter d "
-					   "touches the mesh, a random number decides whether it passes, "
-					   "with the probability\n\n"
-					   "    p = pi/4 ((D - d)/P)^2,  0 for d > D, at most 1\n\n"
-					   "of a particle that comes normal to the sieve and does not touch "
-					   "the rim of an opening. Until the "
-					   "contact ends it then feels no force; otherwise it is held by the "
-					   "force sieveStiffness times the "
-					   "overlap less sieveDamping times the relative velocity, both "
-					   "normal to the mesh, at its nearest "
-					   "point. There is no friction, and the mesh does not feel the "
-					   "force. The stiffness must be so high "
-					   "that the centre of no particle gets to the other side. Members "
-					   "of rigid bodies are held. "
-					   "Particles that roll over a sieve without leaving it are decided "
-					   "upon once. The random numbers "
-					   "are functions of the ID of the fix, the atom ID and the time "
-					   "step. f_sieve_ID of a particle is 0 "
-					   "away from the mesh, 1 where it is held, 2 where it passes. For "
-					   "openings of any shape use a mesh "
-					   "with holes.",
-					   NULL },
+	.doc_more = (const char *const[]){ sieve_doc, NULL },
 	.example = "fix outlet all massflow/mesh mesh gate vec_side 0 0 -1 count once file post/outlet.txt\n"
 		   "fix screen all massflow/mesh/sieve mesh deck point_at_outlet 0 0 -1 count once &\n"
 		   "    sieveSize 2e-3 sieveSpacing 2.5e-3 sieveStiffness 1e3 sieveDamping 0.1",
