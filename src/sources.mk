@@ -839,6 +839,8 @@ library_sources = \
 	src/insert/insertion_rate.h \
 	src/insert/insertion_region.c \
 	src/insert/insertion_region.h \
+	src/insert/memory_check.c \
+	src/insert/memory_check.h \
 	src/insert/nozzle.c \
 	src/insert/nozzle.h \
 	src/insert/sites.c \

@@ -134,6 +134,8 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 		log->withheld++;
 		return;
 	}
+	if (log->doubts && place && log->doubts(log->doubts_data, place))
+		return;
 	log->warnings++;
 	if (place && place->line)
 		snprintf(where, sizeof where, "%s:%d: ", place->file, place->line);

@@ -11,6 +11,7 @@
 
 enum ts_log_level { TS_LOG_TEXT, TS_LOG_WARNING, TS_LOG_PROGRESS, TS_LOG_SETTING };
 typedef void ts_log_sink_fn(void *data, enum ts_log_level level, const char *text);
+typedef bool ts_log_doubt_fn(void *data, const struct ts_place *place);
 
 /* Either stream may be NULL. The log closes `file`, not `screen`. */
 struct ts_log {
@@ -26,6 +27,9 @@ struct ts_log {
 	int warnings;
 	bool withholds; /* -check: warnings are counted in `withheld` instead, since they may follow from unknown values */
 	int withheld;
+	ts_log_doubt_fn
+		*doubts; /* -check, -explain: whether warnings at a place are withheld, too; or NULL */
+	void *doubts_data;
 	struct ts_str *warned; /* gets the lines of warnings, too; or NULL */
 	ts_log_sink_fn *sink;  /* callback that gets all screen output, even without a screen; or NULL */
 	void *sink_data;

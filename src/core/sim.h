@@ -41,7 +41,7 @@ struct ts_price {
 	double crowded; /* the same with the particles packed as a bed, if that takes longer, s */
 	double frames;	/* wall time of all frames of dumps that were not among the steps tried, s */
 	int64_t steps;	/* steps tried; 0: the times are those of an earlier run */
-	char why[256];	/* where they are not known: the error of the steps */
+	char why[256];	/* where they are not known: what the steps did, and their error */
 };
 
 /* Estimated cost of all runs of the script so far, for -explain. */

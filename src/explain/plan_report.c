@@ -113,8 +113,7 @@ static void print_price(const struct ts_plan *plan, struct tsim *sim, const stru
 		sim->cost.seconds += price->seconds * (double)steps + price->frames;
 		sim->cost.most += price->crowded * (double)steps + price->frames;
 	} else {
-		ts_str_addf(&text, "unknown, the first steps failed%s%s", price->why[0] ? ": " : "",
-			    price->why);
+		ts_str_addf(&text, "unknown, %s", price->why[0] ? price->why : "the first steps failed");
 	}
 	if (steps)
 		ts_log(&sim->log, "duration: %s\n", ts_str_text(&text));

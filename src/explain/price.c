@@ -21,8 +21,11 @@ static const double TRIALS = 2;	  /* seconds for all runs of a script */
 static const double CROWD = 0.15; /* seconds for the steps with a dense packing */
 static const double PART = 0.05;  /* seconds for the steps with an omitted part */
 static const double STILL =
-	1e-6;		       /* factor of the time step in a dense packing, so that particles hardly move */
-enum { LONGEST_WAIT = 20000 }; /* milliseconds after which a trial is killed */
+	1e-6; /* factor of the time step in a dense packing, so that particles hardly move */
+/* seconds after which a trial is killed: the first ones, and each one when all have taken that long together */
+static const double LONGEST = 20, LONGEST_LATER = 1;
+
+enum { LONGEST_REASON = 200 }; /* characters of an error */
 
 struct trial {
 	struct ts_plan *plan;
@@ -141,7 +144,7 @@ static void *run_trial(void *data)
 	t->sim->log.progress = false;
 	if (!frames || include_omitted(t) != TS_OK || time_run(t, frames) != TS_OK) {
 		t->price = (struct ts_price){ .seconds = NAN };
-		snprintf(t->price.why, sizeof t->price.why, "%.*s", (int)sizeof t->price.why - 1,
+		snprintf(t->price.why, sizeof t->price.why, "the first steps failed: %.*s", LONGEST_REASON,
 			 t->sim->error.message);
 	} else if (!t->full) {
 		time_dense_packing(t); /* if it fails, the price has the first time only */
@@ -167,12 +170,15 @@ static void run_child(struct trial *t)
 	_exit(0);
 }
 
-static void read_result(int from, pid_t copy, struct ts_price *out)
+static void read_result(int from, pid_t copy, double longest, struct ts_price *out)
 {
 	struct pollfd wait = { .fd = from, .events = POLLIN };
+	const int answers = poll(&wait, 1, (int)(1000 * longest));
 
-	if (poll(&wait, 1, LONGEST_WAIT) != 1 || read(from, out, sizeof *out) != sizeof *out)
+	if (answers != 1 || read(from, out, sizeof *out) != sizeof *out)
 		*out = (struct ts_price){ .seconds = NAN };
+	if (answers == 0)
+		snprintf(out->why, sizeof out->why, "the first steps take more than %.2g s", longest);
 	kill(copy, SIGKILL);
 	while (waitpid(copy, NULL, 0) < 0 && errno == EINTR)
 		continue;
@@ -180,6 +186,7 @@ static void read_result(int from, pid_t copy, struct ts_price *out)
 
 static void run_trial_process(struct trial *t, struct ts_price *out)
 {
+	const double longest = fmax(LONGEST - t->sim->cost.tried, LONGEST_LATER);
 	int ends[2];
 	pid_t copy;
 
@@ -193,7 +200,7 @@ static void run_trial_process(struct trial *t, struct ts_price *out)
 		run_child(t);
 	close(ends[1]);
 	if (copy > 0)
-		read_result(ends[0], copy, out);
+		read_result(ends[0], copy, longest, out);
 	close(ends[0]);
 }
 

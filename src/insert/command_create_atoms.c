@@ -9,6 +9,7 @@
 #include "core/ranks.h"
 #include "core/ranks_pause.h"
 #include "geom/pointhash.h"
+#include "insert/memory_check.h"
 #include "insert/sites.h"
 #include "math/rng.h"
 #include "particle/columns.h"
@@ -307,33 +308,15 @@ static enum ts_status place_on_lattice(struct tsim *sim, const struct state *s, 
 
 /* ---- particles */
 
-/* Memory of a particle in all active columns. */
-static double bytes_per_particle(const struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-	double bytes = 0;
-
-	for (size_t k = 0; k < p->ncolumns; k++)
-		if (p->column[k].active)
-			bytes += (double)(p->column[k].width * p->column[k].element);
-	return bytes;
-}
-
-/* Fails if n particles need more memory than there is, before it is allocated: Linux grants more than it
- * has and kills the process when the memory is used. Logs large amounts. */
+/* Logs large amounts. */
 static enum ts_status check_memory(struct tsim *sim, const struct state *s, double n,
 				   const struct ts_place *where)
 {
 	static const double MUCH = 1e9;
-	double hash = s->mode == RANDOM && s->distance > 0 ? 4 * sizeof(double) + 2 * sizeof(int32_t) : 0;
-	double bytes = n * (bytes_per_particle(sim) + sizeof(struct ts_site) + hash),
-	       there = ts_alloc_available();
+	size_t hash = s->mode == RANDOM && s->distance > 0 ? 4 * sizeof(double) + 2 * sizeof(int32_t) : 0;
+	double bytes;
 
-	if (bytes > there && there > 0)
-		return ts_fail(&sim->error, TS_NOMEM, where,
-			       "create_atoms: out of memory: %.10g particles take %.3g GB, and there are "
-			       "%.3g GB; create fewer",
-			       n, bytes / 1e9, there / 1e9);
+	TS_TRY(ts_memory_check(sim, "create_atoms", n, sizeof(struct ts_site) + hash, where, &bytes));
 	if (bytes > MUCH)
 		ts_log(&sim->log, "create_atoms: %.10g particles take %.3g GB\n", n, bytes / 1e9);
 	return TS_OK;

@@ -1,10 +1,12 @@
 #include "insert/distribution.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/sort.h"
+#include "insert/memory_check.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -250,12 +252,25 @@ static enum ts_status sort_by_size(struct tsim *sim, struct ts_new_particles *li
 	return rank && sorted ? TS_OK : ts_nomem(&sim->error);
 }
 
-enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim, int64_t n, bool exact,
+/* Of clumps at least; the list is sorted into a copy. */
+static enum ts_status check_memory(struct tsim *sim, const struct ts_instance *user, int64_t n)
+{
+	char who[100];
+	double bytes;
+
+	snprintf(who, sizeof who, "fix %s", user->style->name);
+	return ts_memory_check(sim, who, (double)n,
+			       2 * sizeof(struct ts_new_particle) + sizeof(struct sort_key), &user->where,
+			       &bytes);
+}
+
+enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_instance *user, int64_t n, bool exact,
 				    struct ts_new_particles *out)
 {
 	struct ts_distribution *d = self->state;
 	int64_t *count = ts_alloc((size_t)d->n, sizeof *count);
-	enum ts_status status = count ? TS_OK : ts_nomem(&sim->error);
+	enum ts_status status = count ? check_memory(sim, user, n) : ts_nomem(&sim->error);
 
 	out->n = 0;
 	if (status == TS_OK && exact)

@@ -46,8 +46,9 @@ struct ts_new_particles {
 
 /* Draws particles and sorts them by decreasing radius. `exact`: n particles, with fractions as exact as whole
  * numbers allow; else the number of each template is rounded up or down at random, and their sum may differ
- * from n. */
-enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim, int64_t n, bool exact,
+ * from n. `user`: the fix that inserts them. */
+enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_instance *user, int64_t n, bool exact,
 				    struct ts_new_particles *out);
 /* Whether the template of a particle that was drawn in an earlier step is still there, not defined anew. */
 bool ts_distribution_holds(const struct ts_instance *self, const struct ts_new_particle *one);

@@ -206,8 +206,9 @@ static void place_particle(struct jet *s, struct tsim *sim, double late, struct 
 	ts_scale(1, s->base.omega, one->omega);
 }
 
-static enum ts_status draw_particle(struct jet *s, struct tsim *sim, struct ts_new_particle *one)
+static enum ts_status draw_particle(struct ts_instance *self, struct tsim *sim, struct ts_new_particle *one)
 {
+	struct jet *s = self->state;
 	const bool kept = s->kept && ts_distribution_holds(s->base.distribution, &s->keep);
 
 	s->kept = false;
@@ -215,7 +216,7 @@ static enum ts_status draw_particle(struct jet *s, struct tsim *sim, struct ts_n
 		*one = s->keep;
 		return TS_OK;
 	}
-	TS_TRY(ts_distribution_draw(s->base.distribution, sim, 1, true, &s->drawn));
+	TS_TRY(ts_distribution_draw(s->base.distribution, sim, self, 1, true, &s->drawn));
 	*one = s->drawn.item[0];
 	return TS_OK;
 }
@@ -265,7 +266,7 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 	while (is_due(s, s->base.inserted + (int64_t)s->base.list.n, mass, s->owed)) {
 		double late = fmin((s->owed - 0.5 * s->quantum) / s->per_time + closed_for(s), s->span);
 
-		TS_TRY(draw_particle(s, sim, &one));
+		TS_TRY(draw_particle(self, sim, &one));
 		place_particle(s, sim, late, &one);
 		if (!one.placed) {
 			s->keep = one;

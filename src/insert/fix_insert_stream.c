@@ -453,8 +453,8 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	n = ts_insertion_rate_count(self, sim, &s->rate);
 	if (n > 0) {
 		TS_TRY(check_space_in_box(self, sim));
-		TS_TRY(ts_distribution_draw(s->base.distribution, sim, n, s->base.random_distribute == 0,
-					    &s->base.list));
+		TS_TRY(ts_distribution_draw(s->base.distribution, sim, self, n,
+					    s->base.random_distribute == 0, &s->base.list));
 		TS_TRY(place_particles(self, sim));
 		TS_TRY(ts_insertion_make(self, sim, &from));
 		start_particles(self, sim, from);

@@ -287,7 +287,7 @@ enum ts_status ts_insertion_region_event(struct ts_instance *self, struct tsim *
 	struct ts_insertion *s = self->state;
 	size_t from;
 
-	TS_TRY(ts_distribution_draw(s->distribution, sim, n, s->random_distribute == 0, &s->list));
+	TS_TRY(ts_distribution_draw(s->distribution, sim, self, n, s->random_distribute == 0, &s->list));
 	TS_TRY(place_particles(self, sim, most_tries));
 	return ts_insertion_make(self, sim, &from);
 }
@@ -297,7 +297,7 @@ enum ts_status ts_insertion_region_scatter(struct ts_instance *self, struct tsim
 	struct ts_insertion *s = self->state;
 
 	s->overlapcheck = false;
-	TS_TRY(ts_distribution_draw(s->distribution, sim, n, s->random_distribute == 0, &s->list));
+	TS_TRY(ts_distribution_draw(s->distribution, sim, self, n, s->random_distribute == 0, &s->list));
 	return place_particles(self, sim, n);
 }
 

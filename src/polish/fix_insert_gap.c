@@ -160,7 +160,7 @@ static enum ts_status insert(struct ts_instance *self, struct tsim *sim)
 	size_t from;
 
 	TS_TRY(find_number(self, sim, &room, &n));
-	TS_TRY(ts_distribution_draw(s->base.distribution, sim, n, true, &s->base.list));
+	TS_TRY(ts_distribution_draw(s->base.distribution, sim, self, n, true, &s->base.list));
 	if (s->base.overlapcheck)
 		status = ts_insertion_hash_near(sim, &occupied, box->lo, box->hi,
 						ts_insertion_reach(&s->base.list));

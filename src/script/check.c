@@ -27,12 +27,33 @@ static const char *const harmless[] = {
 	"variable", "timestep",	     "uncompute",     "compute",    "run_time",
 };
 
+/* Whether the line at this place was executed with a number in place of an unknown value. */
+static bool is_guessed(const struct ts_check *check, const struct ts_place *place)
+{
+	char key[300];
+
+	snprintf(key, sizeof key, "%s:%d", place->file ? place->file : "", place->line);
+	return ts_map_get(&check->guessed, key) != NULL;
+}
+
+/* A warning of a run about what such a line has defined may follow from the number. */
+static bool doubts_warning(void *data, const struct ts_place *place)
+{
+	struct ts_check *check = data;
+	const bool doubtful = is_guessed(check, place);
+
+	check->open += doubtful;
+	return doubtful;
+}
+
 enum ts_status ts_check_new(struct ts_script *script)
 {
 	script->check = ts_alloc(1, sizeof *script->check);
 	if (!script->check)
 		return ts_nomem(&script->sim->error);
 	script->check->last = &script->check->first;
+	script->sim->log.doubts = doubts_warning;
+	script->sim->log.doubts_data = script->check;
 	return TS_OK;
 }
 
@@ -52,6 +73,7 @@ void ts_check_free(struct ts_script *script)
 	ts_arena_release(&check->arena);
 	ts_free(check);
 	script->check = NULL;
+	script->sim->log.doubts = NULL;
 }
 
 static bool is_harmless(const char *command)
@@ -101,16 +123,14 @@ static bool would_have_been_written(const struct ts_check *check, const struct t
 static bool may_be_unknown(const struct ts_script *script, const struct ts_error *error)
 {
 	const struct ts_check *check = script->check;
-	char key[300];
 
 	if (would_have_been_written(check, error) || ts_unknown_in_text(script->sim, error->message))
 		return true;
 	if (error->status == TS_SYNTAX || error->status == TS_UNKNOWN)
 		return false;
-	snprintf(key, sizeof key, "%s:%d", error->place.file ? error->place.file : "", error->place.line);
 	if (check->alternatives || error->conflict)
 		return check->alternatives;
-	return ts_map_get(&check->guessed, key) || names_unknown_value(check, error->place.text);
+	return is_guessed(check, &error->place) || names_unknown_value(check, error->place.text);
 }
 
 /* Whether the error may follow from an earlier one, or from a number in place of an unknown one. No such number makes

@@ -602,4 +602,37 @@ for deck in flow/*/in.* film/in.* everyday/in.* rock/in.* polishing/in.{wafer,ga
 	! grep -E 'created no bond|has no particles|never used' out >found
 	report "examples/$deck is not warned of what runs have not made, nor of names" $? found
 done
+
+# A number in place of one that only a run can give: what would follow from it is no warning of the run after.
+check guessed.in <<'END'
+units si
+boundary p p f
+atom_style granular
+newton off
+region box block 0 25e-6 0 25e-6 -20e-6 50e-6 units box
+create_box 1 box
+timestep 1e-9
+fix pad all surface/voxel gaussian mean 10.5e-6 deviation 4.7e-6 correlation 0 seed 1 type 1 cells 25 25
+compute press all surface/contact pad winkler 1e12 pressure 4e4
+run 0
+variable face equal $(c_press[1])
+create_atoms 1 single 5e-6 5e-6 30e-6 units box
+set atom 1 diameter 1e-6 density 2000
+fix m1 all property/global youngsModulus peratomtype 5e8
+fix m2 all property/global poissonsRatio peratomtype 0.2
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+fix i all nve/sphere
+fix wafer all wall/gran model hertz tangential history primitive type 1 zplane ${face}
+run 1
+END
+[ $status = 0 ] && ! grep warning out err
+report 'no warning of a wall whose place only a run gives' $? out
+says 'it is told' '1 message was left out that depends on values known only in a run'
+sed -i 's/zplane ${face}/zplane 1/' guessed.in
+"$TSIM" -check -in guessed.in >out 2>err </dev/null
+grep -q 'guessed.in:21: warning: this wall is at distance 0.99995 from the box' out
+report 'a wall that is given there is warned of' $? out
 finish

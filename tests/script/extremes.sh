@@ -154,6 +154,14 @@ report "more particles than memory" $? err
 timeout 10 "$TSIM" -check -in in.script -log none >out 2>&1 </dev/null
 [ $? = 1 ] && shows 'create_atoms: out of memory: 1000000000 particles take ' out
 report "more particles than memory, -check" $? out
+printf '%s\n' "$box" \
+	'fix one all particletemplate/sphere 15485863 atom_type 1 density constant 1000 radius constant 0.05' \
+	'fix mix all particledistribution/discrete 32452843 1 one 1' \
+	'fix many all insert/pack seed 86028157 distributiontemplate mix insert_every once region box particles_in_region 1000000000' \
+	'run 1' >in.script
+timeout 10 "$TSIM" -in in.script -log none >out 2>err </dev/null
+[ $? = 1 ] && shows "error: fix insert/pack: out of memory: 1000000000 particles take " err
+report "insertion of more particles than memory" $? err
 if ! nm "$TSIM" 2>/dev/null | grep -q __asan_init; then
 	printf '%s\n' "$box" 'lattice sc 0.0025' 'create_atoms 1 box' >in.script
 	(ulimit -v 600000 && exec timeout 60 "$TSIM" -in in.script -log none) >out 2>err </dev/null
