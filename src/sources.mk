@@ -1046,6 +1046,7 @@ library_sources = \
 	src/math/prince_dormand.c \
 	src/math/prince_dormand.h \
 	src/math/quaternion.h \
+	src/math/ramp.h \
 	src/math/reduction.c \
 	src/math/reduction.h \
 	src/math/rigid_turn.h \

@@ -91,6 +91,12 @@ struct ts_clock {
 	double wall_start;    /* ts_clock() at the start of the current run, s */
 };
 
+/* Counter of the first of `each` random numbers in this step; after reset_timestep those of steps of the same number differ. */
+static inline uint64_t ts_clock_counter(const struct ts_clock *clock, uint64_t each)
+{
+	return each * (uint64_t)clock->step + ((uint64_t)clock->resets << 56);
+}
+
 /* The last hook called, for styles with the slot `watch`. */
 struct ts_acted {
 	struct ts_instance *self; /* NULL: the stage begins */

@@ -61,8 +61,7 @@ static void random_force(const struct state *s, const struct tsim *sim, double k
 	double damp = damping_time(s, p, i);
 	double amplitude = sqrt(24 * kt * p->mass[i] / (damp * sim->clock.dt));
 
-	/* after reset_timestep other numbers in the steps of the same number */
-	rng.counter = 3 * (uint64_t)sim->clock.step + ((uint64_t)sim->clock.resets << 56);
+	rng.counter = ts_clock_counter(&sim->clock, 3);
 	for (int k = 0; k < 3; k++)
 		f[k] = k < sim->dimension ? amplitude * (ts_rng_uniform(&rng) - 0.5) : 0;
 }

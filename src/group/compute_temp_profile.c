@@ -31,17 +31,24 @@ static const struct {
 
 enum { BINS_MOST = 1 << 30 }; /* 30 bits of a key */
 
+static double number_of_bins(const struct temp_profile *c)
+{
+	double bins = 1;
+
+	for (int k = 0; k < binnings[c->binning].n; k++)
+		bins *= (double)c->bins[k];
+	return bins;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct temp_profile *c = self->state;
-	double bins = 1;
+	const double bins = number_of_bins(c);
 
-	for (int k = 0; k < binnings[c->binning].n; k++) {
-		bins *= (double)c->bins[k];
+	for (int k = 0; k < binnings[c->binning].n; k++)
 		if (sim->dimension == 2 && binnings[c->binning].axis[k] == 2 && c->bins[k] != 1)
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
 				       "compute temp/profile: in two dimensions there is one bin along z");
-	}
 	if (bins > BINS_MOST)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "compute temp/profile: %g bins, expected at most %d", bins, BINS_MOST);
@@ -127,13 +134,9 @@ static void less_mean(const struct tsim *sim, size_t i, const void *context, dou
  * without particles, and D more. */
 static double missing(const struct tsim *sim, const struct temp_profile *c)
 {
-	const bool as_lammps = sim->legacy == TS_LEGACY_LAMMPS;
-	double bins = 1;
-
-	for (int k = 0; k < binnings[c->binning].n; k++)
-		bins *= (double)c->bins[k];
-	if (as_lammps)
-		return sim->dimension * bins + (c->freedom.given ? c->freedom.missing : sim->dimension);
+	if (sim->legacy == TS_LEGACY_LAMMPS)
+		return sim->dimension * number_of_bins(c) +
+		       (c->freedom.given ? c->freedom.missing : sim->dimension);
 	return (double)((c->along[0] + c->along[1] + c->along[2]) * c->filled) +
 	       (c->freedom.given ? c->freedom.missing : 0);
 }

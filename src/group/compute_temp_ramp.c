@@ -1,7 +1,6 @@
 /* Compute temp/ramp: temperature of the motion relative to a velocity that varies linearly. */
-#include <math.h>
-
 #include "group/temperature.h"
+#include "math/ramp.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -33,12 +32,10 @@ static void less_ramp(const struct tsim *sim, size_t i, const void *context, dou
 {
 	const struct temp_ramp *c = context;
 	const struct ts_particles *p = sim->particles;
-	double at = (p->x[i][c->dim] - c->ends[0]) / (c->ends[1] - c->ends[0]);
 
-	at = fmin(1, fmax(0, at));
 	for (int d = 0; d < 3; d++)
 		u[d] = p->v[i][d];
-	u[c->component] -= c->velocity[0] + at * (c->velocity[1] - c->velocity[0]);
+	u[c->component] -= ts_ramp(p->x[i][c->dim], c->ends, c->velocity);
 }
 
 static enum ts_status eval_temperature(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -60,7 +57,6 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 }
 
 static const char *const components[] = { "vx", "vy", "vz", NULL };
-static const char *const dims[] = { "x", "y", "z", NULL };
 static const struct ts_arg args[] = {
 	TS_ENUM("component", struct temp_ramp, component, components, .flags = TS_POSITIONAL,
 		.help = "component of the velocity that varies"),
@@ -68,7 +64,7 @@ static const struct ts_arg args[] = {
 		.help = "its value at lo and below"),
 	TS_REAL("vhi", struct temp_ramp, v[1], .flags = TS_POSITIONAL, .unit = "velocity",
 		.help = "its value at hi and above"),
-	TS_ENUM("dim", struct temp_ramp, dim, dims, .flags = TS_POSITIONAL,
+	TS_ENUM("dim", struct temp_ramp, dim, ts_region_axes, .flags = TS_POSITIONAL,
 		.help = "coordinate on which it depends"),
 	TS_REAL("lo", struct temp_ramp, x[0], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "lower coordinate"),

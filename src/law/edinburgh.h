@@ -66,13 +66,14 @@ static inline double ts_edinburgh_force(const struct ts_granular_pair *c, const 
 
 	for (int sweep = 0; sweep <= TS_EDINBURGH_SWEEPS; sweep++) {
 		const double yielded = yields * pow(largest, n);
-		const double adhesion = ts_edinburgh_adhesion(c, t, k2, yielded);
+		double adhesion;
 
 		force = k2 * (dn - yielded);
 		if (force >= k1 * dn) {
 			force = k1 * dn;
 			break;
 		}
+		adhesion = ts_edinburgh_adhesion(c, t, k2, yielded);
 		if (force > -adhesion * pow(d, chi))
 			break;
 		force = -adhesion * pow(d, chi);

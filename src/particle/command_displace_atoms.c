@@ -5,6 +5,7 @@
 
 #include "box/domain.h"
 #include "core/number_or_peratom.h"
+#include "math/ramp.h"
 #include "math/rng.h"
 #include "math/vec3.h"
 #include "particle/exchange.h"
@@ -53,13 +54,9 @@ static enum ts_status displace_by_ramp(struct tsim *sim, const struct state *s, 
 	if (s->at[0] == s->at[1])
 		return ts_fail(&sim->error, TS_RANGE, where, "displace_atoms ramp: both ends lie at %g",
 			       s->at[0]);
-	for (size_t i = 0; i < p->n; i++) {
-		double part = (p->x[i][s->dim] / along - s->at[0]) / (s->at[1] - s->at[0]);
-
-		part = fmin(1, fmax(0, part));
+	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, s->group))
-			p->x[i][s->component] += scale * (s->d[0] + part * (s->d[1] - s->d[0]));
-	}
+			p->x[i][s->component] += scale * ts_ramp(p->x[i][s->dim] / along, s->at, s->d);
 	return TS_OK;
 }
 

@@ -7,6 +7,7 @@
 #include "core/ranks_pause.h"
 #include "group/group_spin.h"
 #include "group/temperature.h"
+#include "math/ramp.h"
 #include "math/rng.h"
 #include "math/vec3.h"
 #include "particle/group_moments.h"
@@ -247,14 +248,10 @@ static enum ts_status ramp_velocities(struct tsim *sim, const struct state *s, c
 
 	if (s->x[0] == s->x[1])
 		return ts_fail(&sim->error, TS_RANGE, where, "velocity ramp: both ends lie at %g", s->x[0]);
-	for (size_t i = 0; i < p->n; i++) {
-		double at = (p->x[i][s->dim] / along - s->x[0]) / (s->x[1] - s->x[0]);
-
-		at = fmin(1, fmax(0, at));
+	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, s->group))
 			p->v[i][s->component] = (s->sum ? p->v[i][s->component] : 0) +
-						scale * (s->v[0] + at * (s->v[1] - s->v[0]));
-	}
+						scale * ts_ramp(p->x[i][s->dim] / along, s->x, s->v);
 	return TS_OK;
 }
 
@@ -328,7 +325,6 @@ static const struct ts_arg scale_args[] = {
 };
 
 static const char *const components[] = { "vx", "vy", "vz", NULL };
-static const char *const dims[] = { "x", "y", "z", NULL };
 static const struct ts_arg ramp_args[] = {
 	TS_ENUM("component", struct state, component, components, .flags = TS_POSITIONAL,
 		.help = "component that is set"),
@@ -336,7 +332,7 @@ static const struct ts_arg ramp_args[] = {
 		.help = "value at lo and below"),
 	TS_REAL("vhi", struct state, v[1], .flags = TS_POSITIONAL, .unit = "velocity",
 		.help = "value at hi and above"),
-	TS_ENUM("dim", struct state, dim, dims, .flags = TS_POSITIONAL,
+	TS_ENUM("dim", struct state, dim, ts_region_axes, .flags = TS_POSITIONAL,
 		.help = "coordinate on which the velocity depends"),
 	TS_REAL("lo", struct state, x[0], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "lower coordinate"),

@@ -27,12 +27,19 @@ static const char *const harmless[] = {
 	"variable", "timestep",	     "uncompute",     "compute",    "run_time",
 };
 
+/* Key of a line in `guessed`. */
+enum { LINE_KEY = 300 };
+static void line_key(const struct ts_place *place, char key[LINE_KEY])
+{
+	snprintf(key, LINE_KEY, "%s:%d", place->file ? place->file : "", place->line);
+}
+
 /* Whether the line at this place was executed with a number in place of an unknown value. */
 static bool is_guessed(const struct ts_check *check, const struct ts_place *place)
 {
-	char key[300];
+	char key[LINE_KEY];
 
-	snprintf(key, sizeof key, "%s:%d", place->file ? place->file : "", place->line);
+	line_key(place, key);
 	return ts_map_get(&check->guessed, key) != NULL;
 }
 
@@ -289,14 +296,14 @@ enum ts_status ts_check_mark_guessed(struct ts_script *script, const struct ts_l
 {
 	const char *command = words.word[0].text;
 	struct ts_check *check = script->check;
-	char place[300];
+	char key[LINE_KEY];
 
 	check->guesses |= !is_harmless(command) || ts_streq(command, "timestep");
 	check->weak |= names_by_guess(script, words);
 	if (script->sim->reading.from_run[0])
 		script->formulas.unknown = ts_pool_get(script->sim->pool, script->sim->reading.from_run);
-	snprintf(place, sizeof place, "%s:%d", line->row[0].file, line->row[0].line);
-	TS_TRY(mark_guessed(script, place));
+	line_key(&line->row[0], key);
+	TS_TRY(mark_guessed(script, key));
 	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++)
 		if (ts_streq(makes[k].command, command) && makes[k].word && makes[k].word < words.n &&
 		    !ts_streq(command, "variable"))

@@ -65,8 +65,7 @@ static double decide(const struct ts_instance *self, const struct tsim *sim,
 
 	ts_hash_text(&key, self->id);
 	rng = ts_rng_start(ts_hash_value(&key), (uint64_t)sim->particles->tag[i]);
-	/* after reset_timestep other numbers in the steps of the same number */
-	rng.counter = (uint64_t)sim->clock.step + ((uint64_t)sim->clock.resets << 56);
+	rng.counter = ts_clock_counter(&sim->clock, 1);
 	return ts_rng_uniform(&rng) < probability_to_pass(sieve, sim, i) ? PASSING : HELD;
 }
 
