@@ -117,6 +117,7 @@ shell_tests = \
 	tests/explain/price.sh \
 	tests/flow/flow_closed.sh \
 	tests/flow/flow_faults.sh \
+	tests/flow/flow_lines.sh \
 	tests/flow/flow_outputs.sh \
 	tests/flow/flow_pressure.sh \
 	tests/flow/flow_resolution.sh \

@@ -1,6 +1,7 @@
 /* Readers for each argument type: words of a line to values. */
 #include "core/arg_read.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/group.h"
@@ -109,6 +110,17 @@ bool ts_arg_whole_part(const struct ts_instance *self, struct tsim *sim, const c
 	return read_whole_part(sim, what, name, text, ts_instance_word(self, text), out);
 }
 
+/* 1e3 is not read as 1000, since LIGGGHTS reads 1 there without a word. */
+static enum ts_status refuse_integer(struct ts_parse *p, const struct ts_arg *row, const struct ts_word *word)
+{
+	char expected[48] = "an integer";
+	double value;
+
+	if (word && ts_parse_real(word->text, &value) && value == floor(value) && fabs(value) < 1e15)
+		snprintf(expected, sizeof expected, "an integer, such as %.0f", value);
+	return ts_arg_refuse(p, row, word, expected);
+}
+
 enum ts_status ts_arg_read_int(struct ts_parse *p, const struct ts_arg *row, int64_t *out)
 {
 	const struct ts_word *word = ts_arg_next_word(p);
@@ -117,7 +129,7 @@ enum ts_status ts_arg_read_int(struct ts_parse *p, const struct ts_arg *row, int
 						 : ts_parse_int(word->text, out));
 
 	if (!read)
-		return ts_arg_refuse(p, row, word, "an integer");
+		return refuse_integer(p, row, word);
 	return check_range(p, row, word, (double)*out);
 }
 

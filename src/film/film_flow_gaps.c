@@ -1,4 +1,5 @@
 /* The gap between the surfaces of flow_style reynolds, and its rate. */
+#include <float.h>
 #include <math.h>
 
 #include "film/film_flow.h"
@@ -32,6 +33,24 @@ static void set_gaps(struct ts_film_flow *flow)
 	}
 }
 
+/* Sets rates to 0 that are the round-off of terms that cancel: below a shape at rest a plane slides, and the gap stays. */
+static void remove_round_off(struct ts_film_flow *flow, const double together[2], const double apart[2])
+{
+	const double *low = flow->surface[0].z, *high = flow->surface[1].z;
+	struct ts_film *f = &flow->film;
+
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++) {
+			size_t c = ts_film_at(f, i, j);
+			double passes =
+				(fabs(together[0]) + fabs(apart[0])) / (f->face[0][i + 1] - f->face[0][i]) +
+				(fabs(together[1]) + fabs(apart[1])) / (f->face[1][j + 1] - f->face[1][j]);
+
+			if (fabs(f->rate[c]) <= 16 * DBL_EPSILON * passes * (fabs(low[c]) + fabs(high[c])))
+				f->rate[c] = 0;
+		}
+}
+
 /* The rate of the gap g of shapes that move along the film with the velocities V1, below, and V2. With the distance d of
  * the surfaces, the yield g' = dg/dd, V = (V1 + V2)/2 and W = (V2 - V1)/2
  *
@@ -57,6 +76,7 @@ static void carry_shapes(struct ts_film_flow *flow)
 	for (size_t c = 0; c < ts_film_cells(f); c++)
 		flow->carried[c] = lower->z[c] + upper->z[c];
 	ts_film_carry(f, flow->carried, apart, flow->yield, f->rate);
+	remove_round_off(flow, together, apart);
 }
 
 void ts_film_combine(struct ts_film_flow *flow)

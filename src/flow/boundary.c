@@ -164,6 +164,9 @@ enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct 
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
 			TS_TRY(evaluate_face(p, sim, d, (enum ts_grid_side)side));
+	/* the time of the last step was another one */
+	p->before_known &= p->before_resets == sim->clock.resets;
+	p->before_resets = sim->clock.resets;
 	if (!p->before_known || (ts_projection_not_started(p) && !sim->run.inside))
 		return ts_projection_store_boundary(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	return TS_OK;
@@ -234,6 +237,8 @@ enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct ts
 						ts_flow_plane_size(&p->fluid.grid, face / 2)));
 		}
 	}
+	if (ts_archive_writing(archive) || ts_archive_has(archive, "resets")) /* older files have none */
+		TS_TRY(ts_archive_fixed(archive, "resets", TS_SAVED_I64, &p->before_resets, 1));
 	return ts_projection_archive_pressure(p, sim, archive);
 }
 

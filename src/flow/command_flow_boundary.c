@@ -30,6 +30,11 @@ static enum ts_flow_face face_type(const struct state *s)
 	return kind == TS_FLOW_INLET && !s->pressure.null ? TS_FLOW_INTAKE : kind;
 }
 
+static bool has_flow_across(enum ts_flow_face kind)
+{
+	return kind == TS_FLOW_INLET || ts_flow_face_open(kind);
+}
+
 static enum ts_status refuse_invalid_words(struct tsim *sim, const struct state *s,
 					   const struct ts_place *where)
 {
@@ -66,12 +71,15 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const enum ts_flow_depth depth[] = { TS_FLOW_PRESSURE_UNSAID, TS_FLOW_EVEN, TS_FLOW_HYDROSTATIC };
 	struct ts_projection *projection;
 	struct ts_instance *flow;
+	bool passes = false; /* fluid, one of the faces, now or before */
 
 	TS_TRY(refuse_invalid_words(sim, s, where));
 	TS_TRY(ts_projection_require(sim, "flow_boundary", where, &flow, &projection));
 	if (s->velocity.n)
 		TS_TRY(ts_flow_read_vector(sim, "flow_boundary: velocity", s->velocity, where, &flow->arena,
 					   condition.velocity));
+	if (s->velocity.n && projection->cells[2] == 1)
+		TS_TRY(ts_flow_refuse_depth(sim, "flow_boundary: velocity", s->velocity, condition.velocity));
 	condition.hydrostatic = depth[s->hydrostatic + 1];
 	if (!s->pressure.null) {
 		condition.pressure = s->pressure;
@@ -84,10 +92,17 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		bool flat = s->face == NFACES && projection->fluid.grid.periodic[face / 2];
 		bool plane = s->face == NFACES && face / 2 >= projection->fluid.grid.dimensions;
 
-		if ((s->face == face || s->face == NFACES) && !flat && !plane)
-			projection->condition[face / 2][face % 2] = condition;
+		if ((s->face != face && s->face != NFACES) || flat || plane)
+			continue;
+		passes |= has_flow_across(condition.kind) ||
+			  has_flow_across(projection->condition[face / 2][face % 2].kind);
+		projection->condition[face / 2][face % 2] = condition;
 	}
 	projection->pressure = NULL;
+	if (projection->given && !projection->moved && passes)
+		ts_warn(&sim->log, where,
+			"flow_boundary: the velocity that flow_set has given was projected between the faces "
+			"as they were before: put flow_set after flow_boundary");
 	return ts_projection_setup(flow, sim);
 }
 

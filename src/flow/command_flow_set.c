@@ -45,6 +45,14 @@ static enum ts_status evaluate_component(struct tsim *sim, const struct field *f
 	return TS_OK;
 }
 
+/* The grid of the present box; the velocity that it would carry over is replaced. */
+static enum ts_status set_up_grid(struct ts_instance *flow, struct tsim *sim, struct ts_projection *p)
+{
+	for (int d = 0; d < 3 && p->fluid.u[d]; d++)
+		ts_grid_field_clear(p->fluid.u[d], 0, p->fluid.grid.size);
+	return ts_projection_setup(flow, sim);
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
@@ -56,13 +64,18 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	TS_TRY(ts_projection_require(sim, "flow_set", where, &flow, &p));
 	status = ts_flow_read_vector(sim, "flow_set: velocity", s->velocity, where, &arena, field.velocity);
+	if (status == TS_OK && p->cells[2] == 1)
+		status = ts_flow_refuse_depth(sim, "flow_set: velocity", s->velocity, field.velocity);
 	if (status == TS_OK)
 		status = ts_flow_read_set(sim, "flow_set: set", s->set, where, &arena, field.set);
+	if (status == TS_OK)
+		status = set_up_grid(flow, sim, p);
 	for (int c = 0; c < p->fluid.grid.dimensions && status == TS_OK; c++)
 		status = evaluate_component(sim, &field, &p->fluid, c, where);
 	ts_arena_release(&arena);
 	TS_TRY(status);
 	TS_TRY(ts_projection_setup(flow, sim));
+	p->given = true;
 	return ts_projection_project_initial(flow, sim);
 }
 
@@ -83,7 +96,8 @@ const struct ts_command_style ts_command_flow_set = {
 		   .summary = "Sets the initial velocity of the fluid",
 		   .doc = "Each component is evaluated at its own points, the faces of the cells. The field\n"
 			  "is then projected onto a field without divergence, so flow_boundary must precede\n"
-			  "this command. Without flow_set the fluid starts at rest.",
+			  "this command; an inlet or outlet that follows is warned of. Without flow_set the "
+			  "fluid starts at rest.",
 		   .example = "variable xx internal 0\n"
 			      "variable yy internal 0\n"
 			      "variable u equal sin(v_xx)*cos(v_yy)\n"

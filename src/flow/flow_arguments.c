@@ -27,6 +27,20 @@ enum ts_status ts_flow_read_vector(struct tsim *sim, const char *what, struct ts
 	return TS_OK;
 }
 
+enum ts_status ts_flow_refuse_depth(struct tsim *sim, const char *what, struct ts_words words,
+				    const struct ts_number vector[3])
+{
+	const struct ts_place *where = &words.word[2].place;
+	double value;
+
+	TS_TRY(ts_number_now(sim, &vector[2], where, &value));
+	if (value == 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "%s is %g along z, expected 0: in a grid of one cell along z nothing flows along z",
+		       what, value);
+}
+
 struct setting {
 	int dim;
 	const char *name;

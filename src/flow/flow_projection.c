@@ -68,6 +68,9 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	if (p->body_words.n)
 		TS_TRY(ts_flow_read_vector(sim, "flow_style projection: body_force", p->body_words,
 					   &self->where, &self->arena, p->body_force));
+	if (p->body_words.n && p->cells[2] == 1)
+		TS_TRY(ts_flow_refuse_depth(sim, "flow_style projection: body_force", p->body_words,
+					    p->body_force));
 	p->read = true;
 	return TS_OK;
 }
@@ -521,7 +524,8 @@ static const struct ts_saved saved[] = {
 
 static const struct ts_arg args[] = {
 	TS_LIST_KEYWORD("cells", struct ts_projection, cell_words, .flags = TS_TO_KEYWORD | TS_STATEFUL,
-			.help = "NX NY NZ: numbers of cells; NZ 1: a two-dimensional flow"),
+			.help = "NX NY NZ: numbers of cells; NZ 1: a two-dimensional flow, "
+				"and drag along z acts on the particles alone"),
 	TS_REAL("viscosity", struct ts_projection, viscosity, .range = TS_NOT_NEGATIVE,
 		.unit = "pressure time", .help = "dynamic viscosity"),
 	TS_REAL("density", struct ts_projection, density, .range = TS_POSITIVE, .unit = "mass/length^3",

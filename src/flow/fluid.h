@@ -54,6 +54,7 @@ struct ts_flow_face_velocity {
 
 struct ts_fluid {
 	struct ts_grid grid;
+	uint64_t grids;		      /* number of grids it has had; fields are kept from one to the next */
 	enum ts_flow_face face[3][2]; /* [axis][enum ts_grid_side] */
 	struct ts_flow_face_velocity face_velocity[3][2];
 	/* Pressure on open faces in the last projection, without pressure_base (pressure units). */

@@ -34,6 +34,7 @@ struct ts_projection {
 	 * is interpolated between them. */
 	struct ts_flow_face_velocity velocity_before[3][2], velocity_now[3][2];
 	uint8_t before_known;
+	int64_t before_resets; /* clock.resets then */
 	/* The same for pressures on open faces, and those of the next projection. */
 	struct ts_flow_face_pressure pressure_before[3][2], pressure_now[3][2], pressure_next[3][2];
 	double next_pressure_base; /* pressure_base of the fluid in the next projection */
@@ -48,6 +49,7 @@ struct ts_projection {
 	double limits_before[3];
 	int64_t limits_step;
 	bool moved; /* a run has made steps with it, or would have (-check) */
+	bool given; /* flow_set has given its initial velocity */
 	bool read;  /* the words have been read, into: */
 	int64_t cells[3];
 	int64_t substeps; /* 0: chosen in each step by the limits */

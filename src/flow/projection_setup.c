@@ -108,6 +108,7 @@ static enum ts_status remake_grid(struct ts_projection *p, const double *const f
 	ts_grid_release(&fluid->grid);
 	TS_TRY(ts_grid_make(&fluid->grid, n[2] == 1 ? 2 : 3, n, face, periodic));
 	fluid->grid.sparse = sparse;
+	fluid->grids++;
 	TS_TRY(ts_operators_make(&p->operators, &fluid->grid));
 	TS_TRY(ts_fluid_make(fluid));
 	for (int d = 0; d < 3; d++)

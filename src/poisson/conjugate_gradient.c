@@ -146,13 +146,14 @@ static double cg_iteration(struct ts_conjugate_gradient *c, const struct ts_sten
 struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradient *c,
 						     const struct ts_stencil *s,
 						     ts_precondition_fn *precondition, void *context,
-						     const double *b, double *p, double goal, int most)
+						     const double *b, double *p, double largest, double goal,
+						     int most)
 {
 	struct ts_poisson_report report = { .iterations = 0 };
 	double rz = 0;
 
 	ts_stencil_ghosts(s, p);
-	report.residual = ts_stencil_residual(s, p, b, c->r);
+	report.residual = ts_stencil_residual_of_guess(s, p, b, largest, c->r);
 	while (report.residual > goal && report.iterations < most) {
 		rz = cg_iteration(c, s, precondition, context, rz, p);
 		if (rz == 0)

@@ -23,12 +23,13 @@ struct ts_conjugate_gradient {
 enum ts_status ts_conjugate_gradient_make(struct ts_conjugate_gradient *c, const struct ts_stencil *s);
 void ts_conjugate_gradient_release(struct ts_conjugate_gradient *c);
 
-/* Solves A p = b from the guess in p until the largest residual per volume is at most `goal`, or for `most`
- * iterations. The residual in the report is recomputed from p at the end. */
+/* Solves A p = b from the guess in p, or from 0 if that is nearer, until the largest residual per volume is at most `goal`,
+ * or for `most` iterations; `largest`: the largest |b| per volume. The residual in the report is recomputed from p at the end. */
 struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradient *c,
 						     const struct ts_stencil *s,
 						     ts_precondition_fn *precondition, void *context,
-						     const double *b, double *p, double goal, int most);
+						     const double *b, double *p, double largest, double goal,
+						     int most);
 /* What a solve of so many iterations that converges exchanges among ranks; r, z, d and q lose their values. */
 void ts_conjugate_gradient_rehearse(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
 				    ts_precondition_fn *precondition, void *context, int iterations);

@@ -240,6 +240,6 @@ enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *si
 		context = c->hypre;
 	}
 	*report = ts_conjugate_gradient_solve(&c->conjugate, &it->stencil, precondition, context, it->b,
-					      it->p, goal, (int)it->most);
+					      it->p, it->largest, goal, (int)it->most);
 	return ts_iteration_end(it, self, sim, goal, report, p);
 }

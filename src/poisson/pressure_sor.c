@@ -61,7 +61,8 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 
 	it->stencil.slabs = divided(self) ? it->problem->slabs : NULL;
 	TS_TRY(ts_iteration_begin(it, self, sim, rhs, p, &goal));
-	*report = ts_relaxation_solve(&it->stencil, s->omega, it->b, it->p, s->spare, goal, (int)it->most);
+	*report = ts_relaxation_solve(&it->stencil, s->omega, it->b, it->p, s->spare, it->largest, goal,
+				      (int)it->most);
 	return ts_iteration_end(it, self, sim, goal, report, p);
 }
 

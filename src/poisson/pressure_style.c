@@ -39,7 +39,6 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 				  const double *rhs, const double *p, double *goal)
 {
 	struct ts_stencil *s = &it->stencil;
-	double largest;
 
 	it->changed = it->problem->weight[0] || !it->weighed || (it->part && ts_slabs_ranks(s->slabs) == 1);
 	if (it->changed) {
@@ -50,12 +49,12 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 	ts_stencil_from_grid(s, it->problem->grid, rhs, true, it->b);
 	if (it->problem->singular)
 		ts_stencil_balance(s, it->b);
-	largest = ts_stencil_largest(s, it->b);
-	if (!isfinite(largest))
+	it->largest = ts_stencil_largest(s, it->b);
+	if (!isfinite(it->largest))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "the fluid's velocities are not finite: use a smaller time step");
-	*goal = it->tolerance * largest;
-	if (largest > 0)
+	*goal = it->tolerance * it->largest;
+	if (it->largest > 0)
 		ts_stencil_from_grid(s, it->problem->grid, p, false, it->p);
 	else
 		ts_stencil_clear(s, it->p);
@@ -77,7 +76,7 @@ enum ts_status ts_iteration_end(struct ts_iteration *it, struct ts_instance *sel
 				double goal, const struct ts_poisson_report *report, double *p)
 {
 	const char *name = self->style->name;
-	double left = report->residual / (goal / it->tolerance);
+	double left = report->residual / it->largest;
 
 	if (it->problem->singular)
 		ts_stencil_centre(&it->stencil, it->p);

@@ -21,7 +21,8 @@ struct ts_iteration {
 	bool changed;	  /* the last ts_iteration_begin has changed the links */
 	struct ts_stencil stencil;
 	const struct ts_poisson *problem;
-	double *b, *p; /* right-hand side and solution, fields of the stencil; owned */
+	double *b, *p;	/* right-hand side and solution, fields of the stencil; owned */
+	double largest; /* largest |b| per volume */
 };
 
 extern const char *const ts_iteration_unfinished_names[];

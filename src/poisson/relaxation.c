@@ -35,13 +35,13 @@ double ts_relaxation_optimal(const struct ts_poisson *problem)
 }
 
 struct ts_poisson_report ts_relaxation_solve(const struct ts_stencil *s, double omega, const double *b,
-					     double *p, double *spare, double goal, int most)
+					     double *p, double *spare, double largest, double goal, int most)
 {
 	struct ts_poisson_report report = { .iterations = 0 };
 	double beginning;
 
 	ts_stencil_ghosts(s, p);
-	beginning = report.residual = ts_stencil_residual(s, p, b, spare);
+	beginning = report.residual = ts_stencil_residual_of_guess(s, p, b, largest, spare);
 	while (report.residual > goal && report.residual <= 1e6 * beginning && report.iterations < most) {
 		for (int colour = 0; colour < s->colours; colour++)
 			ts_stencil_sweep(s, p, b, colour, omega);

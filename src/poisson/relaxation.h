@@ -16,10 +16,10 @@ enum {
 	TS_RELAXATION_LOOKS = 8
 }; /* iterations between computations of the residual, each of which costs as much as one */
 
-/* Iterates until the largest residual per volume is at most `goal`, or `most` times, or until it is 1e6
+/* Iterates from p, or from 0 if that is nearer (`largest`: the largest |b| per volume), until the largest residual per volume is at most `goal`, or `most` times, or until it is 1e6
  * times that of the initial guess. The residual is computed in every eighth iteration. */
 struct ts_poisson_report ts_relaxation_solve(const struct ts_stencil *s, double omega, const double *b,
-					     double *p, double *spare, double goal, int most);
+					     double *p, double *spare, double largest, double goal, int most);
 /* What so many iterations exchange among ranks; the ghosts of `p` change. */
 void ts_relaxation_rehearse(const struct ts_stencil *s, double *p, int iterations);
 

@@ -472,6 +472,17 @@ double ts_stencil_residual(const struct ts_stencil *s, const double *p, const do
 	return ts_stencil_max_rows(s);
 }
 
+double ts_stencil_residual_of_guess(const struct ts_stencil *s, double *p, const double *b, double largest,
+				    double *out)
+{
+	double residual = ts_stencil_residual(s, p, b, out);
+
+	if (!(residual > largest))
+		return residual;
+	ts_stencil_clear(s, p);
+	return ts_stencil_residual(s, p, b, out);
+}
+
 TS_CLONES
 static double largest_of_row(const double *r, const double *width, int n)
 {

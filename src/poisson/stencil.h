@@ -93,6 +93,10 @@ double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out
 void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega);
 /* out = b - A p, after ts_stencil_ghosts(p); returns the largest |out|/V, NaN if a value is NaN. */
 double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out);
+/* The same of a guess, which is set to 0 if it leaves more than that, `largest`, the largest |b|/V: the last pressure may be
+ * so much larger than the next one that its round-off is more than b. */
+double ts_stencil_residual_of_guess(const struct ts_stencil *s, double *p, const double *b, double largest,
+				    double *out);
 /* Returns the largest |r|/V. */
 double ts_stencil_largest(const struct ts_stencil *s, const double *r);
 double ts_stencil_dot(const struct ts_stencil *s, const double *a, const double *b);

@@ -76,6 +76,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		clear_last_frames(sim);
 		sim->bonds->past_events = sim->bonds->nevents;
 		sim->thermo->counted = 0;
+	}
+	if (s->step != sim->clock.step || time != ts_sim_time(sim)) {
 		sim->era++;
 		sim->clock.resets++;
 	}

@@ -43,8 +43,11 @@ struct state {
 	struct ts_transport transport;
 	struct ts_cell_order order;
 	bool arguments_read, known; /* known: the field T has values */
-	int64_t steps;		    /* number of steps of the simulation whose heat is in transport.source */
-	double *heat_rate;	    /* heat flux into each particle (energy/time); owned */
+	bool given;		    /* those of `initial`, in the grid of this number */
+	uint64_t grids;
+	bool told;	   /* that bodies conduct as the fluid does */
+	int64_t steps;	   /* number of steps of the simulation whose heat is in transport.source */
+	double *heat_rate; /* heat flux into each particle (energy/time); owned */
 	size_t heat_rate_capacity;
 	double exchanged; /* sum of heat_rate in the last step */
 	size_t size;	  /* of the fields, in doubles */
@@ -134,8 +137,24 @@ static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *s
 			}
 	}
 	ts_arena_release(&arena);
-	s->known = status == TS_OK;
+	s->known = s->given = status == TS_OK;
+	s->grids = s->fluid->grids;
 	return status;
+}
+
+/* Evaluates `initial` in the present grid, or warns that it has changed since. */
+static enum ts_status begin_field(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (!s->known || (s->given && s->grids != s->fluid->grids))
+		return set_initial_field(self, sim);
+	if (s->grids && s->grids != s->fluid->grids)
+		ts_warn(&sim->log, &self->where,
+			"fix flow/scalar: the grid has changed (flow_grid, change_box or replicate) after a "
+			"run: each cell keeps its value, so that the field is stretched with the cells");
+	s->grids = s->fluid->grids;
+	return TS_OK;
 }
 
 /* ---- set-up */
@@ -210,11 +229,31 @@ static void rehearse(const struct ts_instance *self, const struct ts_fluid *flui
 	ts_transport_rehearse(&((const struct state *)self->state)->transport, fluid, dt);
 }
 
+static void warn_of_bodies(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	size_t k = 0;
+	const struct ts_instance *body = ts_flow_part_named(sim, "immersed/boundary", &k);
+
+	if (!body || s->told)
+		return;
+	s->told = true;
+	ts_warn(&sim->log, &self->where,
+		"fix flow/scalar: inside of the bodies of fix %s (%s:%d) the scalar is transported as in the "
+		"fluid: they conduct as it does, and have no temperature of their own",
+		body->id, TS_FILE_AND_LINE(body->where));
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	struct ts_projection *projection;
+	struct ts_instance *flow;
 
-	TS_TRY(ts_flow_require_fluid(sim, "fix flow/scalar", &self->where, &s->fluid));
+	TS_TRY(ts_projection_require(sim, "fix flow/scalar", &self->where, &flow, &projection));
+	s->fluid = &projection->fluid;
+	if (!s->known)
+		TS_TRY(ts_projection_setup(flow, sim)); /* the grid of the present box */
 	s->part.scalar = scalar;
 	s->part.after_substep = advance_scalar;
 	s->part.after_step = finish_step;
@@ -231,8 +270,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
 	TS_TRY(evaluate_conditions(self, sim));
-	if (!s->known)
-		TS_TRY(set_initial_field(self, sim));
+	TS_TRY(begin_field(self, sim));
+	warn_of_bodies(self, sim);
 	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
 	s->fluid->near.stale = true;
 	return TS_OK;
@@ -339,6 +378,7 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 	struct state *s = self->state;
 	long n;
 
+	s->given = false;
 	TS_TRY(evaluate_conditions(self, sim));
 	if (s->steps > 1) /* the mean over these steps */
 		ts_fluid_divide_field(fluid, s->transport.source, (double)s->steps);
@@ -526,7 +566,10 @@ const struct ts_style ts_fix_flow_scalar = {
 	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void "
 	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any "
 	       "concentration with diffusivity D. The finite-volume scheme is conservative. Steps of the "
-	       "fluid are divided into substeps if the stability of the scheme requires it.\n\n"
+	       "fluid are divided into substeps if the stability of the scheme requires it. Bodies of fix "
+	       "immersed/boundary conduct as the fluid does, which is warned of.\n\n"
+	       "`initial` is evaluated in the cells of the grid with which the first run begins. After a run "
+	       "each cell keeps its T if the grid changes, with a warning.\n\n"
 	       "On a face of the grid either T is given (`value`), or the heat flux by conduction (`flux`), "
 	       "or there is no conduction (`none`, the default). An inflow should have a value; otherwise "
 	       "the fluid enters with the T of the first cell.\n\n"

@@ -283,6 +283,36 @@ END_TEST
 
 /* A plate that rises and sinks again: a cavity opens and closes; what leaves through the edges is missing in the gap, in
  * each step. A film that stays full is that without cavitation. */
+/* A plane, at any height, slides along both axes below a shape at rest: the gap stays, up to round-off, as jfo without
+ * `transient` needs. */
+START_TEST(plane_below_a_shape)
+{
+	static const double heights[] = { 0, -1e-7, 3.3e-8 };
+	static const double speeds[][2] = { { 0.1, 0 }, { 0.1, 0.03 }, { 7, 0.7 } };
+
+	for (int h = 0; h < 3; h++)
+		for (int u = 0; u < 3; u++) {
+			struct tsim *sim =
+				deck_open("units si\n"
+					  "boundary f f f\n"
+					  "region box block 0 1e-3 0 0.4e-3 0 1e-5 units box\n"
+					  "create_box 1 box\n"
+					  "variable x internal 0\n"
+					  "variable y internal 0\n"
+					  "variable h equal 2e-6-1e-3*v_x+1e-7*cos(PI*v_y/0.2e-3)\n"
+					  "flow_style reynolds cells 30 12 lower %g lower_velocity %g %g 0 "
+					  "upper v_h "
+					  "set x x y y viscosity 1e-3 density 1000 cavitation jfo\n"
+					  "compute f all film\n",
+					  heights[h], speeds[u][0], speeds[u][1]);
+
+			deck(sim, "run 0\n");
+			ck_assert(deck_value(sim, "c_f[1]") > 0);
+			tsim_close(sim);
+		}
+}
+END_TEST
+
 START_TEST(transient)
 {
 	struct tsim *sim =
@@ -419,6 +449,7 @@ int main(void)
 	tcase_add_test(tcase, squeeze_in_time);
 	tcase_add_test(tcase, voxel_step);
 	tcase_add_test(tcase, cavitation);
+	tcase_add_test(tcase, plane_below_a_shape);
 	tcase_add_test(tcase, transient);
 	tcase_add_test(tcase, refusals);
 	tcase_add_test(tcase, refused_fluids);

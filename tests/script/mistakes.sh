@@ -94,10 +94,10 @@ run
 => 9:1: error: run: N is missing, expected an integer (number of steps)
 $box
 run 1e3
-=> 9:5: error: run: N is '1e3', expected an integer (number of steps)
+=> 9:5: error: run: N is '1e3', expected an integer, such as 1000 (number of steps)
 $box
 run 100.5e1
-=> 9:5: error: run: N is '100.5e1', expected an integer (number of steps)
+=> 9:5: error: run: N is '100.5e1', expected an integer, such as 1005 (number of steps)
 $box
 fix l all langevin 300 300 0.1 4711 angmom no omega yes
 run 0
