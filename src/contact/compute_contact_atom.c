@@ -1,4 +1,4 @@
-/* Compute contact/atom: number of particles that overlap each particle. */
+/* Compute contact/atom: number of particles that touch or overlap each particle. */
 #include "box/domain.h"
 #include "geom/pairs.h"
 #include "neigh/neigh.h"
@@ -25,7 +25,7 @@ static void count_overlap(void *context, size_t i, size_t j, const double d[3])
 
 	if (ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->with) &&
 	    !(t->excluded && t->excluded(t->sim, i, j)))
-		t->count[i] += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
+		t->count[i] += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= reach * reach;
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -47,8 +47,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	}
 	if (!(most > 0))
 		return TS_OK;
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most, count_overlap,
-			      &task);
+	/* pairs that just touch are in reach */
+	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most * (1 + 1e-9),
+			      count_overlap, &task);
 }
 
 static const struct ts_value values[] = {
@@ -70,7 +71,7 @@ const struct ts_style ts_compute_contact_atom = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Number of contacts of each particle",
 	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance "
-	       "is less than the sum of the radii, but not pairs excluded by neigh_modify, special_bonds or "
+	       "is at most the sum of the radii, but not pairs excluded by neigh_modify, special_bonds or "
 	       "a common rigid body. It uses positions and radii only: without a pair_style overlaps count "
 	       "as well. Periodic images count.",
 	.example = "compute z all contact/atom\ncompute mean all reduce ave c_z",

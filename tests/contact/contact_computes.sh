@@ -284,4 +284,18 @@ delete_atoms group two
 compute c all pair/local dist
 compute r all reduce max c_c
 print \$(c_r)" '`run 0` finds them'
+
+# ---- spheres that just touch: LAMMPS and LIGGGHTS count 288 contacts, 3 x 48 pairs, in this lattice
+prints 'units si
+boundary f f f
+lattice sc 1.0
+region box block 0 4 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+set group all diameter 1.0 density 1.0
+neighbor 0.2 bin
+compute c all contact/atom
+compute s all reduce sum c_c
+run 0
+print "contacts $(c_s)"' 'contacts 288'
 finish
