@@ -88,6 +88,8 @@ library_sources = \
 	src/balance/weights.h \
 	src/base/alloc.c \
 	src/base/alloc.h \
+	src/base/axes.c \
+	src/base/axes.h \
 	src/base/banned.h \
 	src/base/clock.c \
 	src/base/clock.h \

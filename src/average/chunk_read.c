@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "average/chunk.h"
+#include "base/axes.h"
 #include "box/domain.h"
 #include "particle/columns.h"
 #include "particle/particles.h"
@@ -13,10 +14,9 @@ const char *const ts_chunk_discards[] = { "default", "yes", "no", "mixed", NULL 
 const char *const ts_chunk_units[] = { "lattice", "box", "reduced", NULL };
 const char *const ts_chunk_numbers[] = { "default", "once", "every", NULL };
 const char *const ts_chunk_id_words[] = { "every", "once", "nfreq", NULL };
-static const char *const dims[] = { "x", "y", "z", NULL };
 
 #define AXIS_ROWS(k, suffix)                                                                            \
-	TS_ENUM("dim" suffix, struct ts_chunks, axis[k].dim, dims, .flags = TS_POSITIONAL,              \
+	TS_ENUM("dim" suffix, struct ts_chunks, axis[k].dim, ts_axis_names, .flags = TS_POSITIONAL,     \
 		.help = "axis along which there are bins"),                                             \
 		TS_WORD("origin" suffix, struct ts_chunks, axis[k].origin_word, .flags = TS_POSITIONAL, \
 			.help = "where a bin starts: lower, center, upper or a coordinate"),            \
@@ -145,9 +145,9 @@ static enum ts_status read_bounds(struct ts_instance *self, struct tsim *sim, st
 	for (; rest.n; rest = ts_words_from(rest, 3)) {
 		int dim = 0;
 
-		while (dims[dim] && !ts_streq(rest.word[0].text, dims[dim]))
+		while (ts_axis_names[dim] && !ts_streq(rest.word[0].text, ts_axis_names[dim]))
 			dim++;
-		if (rest.n < 3 || !dims[dim])
+		if (rest.n < 3 || !ts_axis_names[dim])
 			return refuse_word(sim, self, rest.word, "bound takes x, y or z and two bounds");
 		for (int s = 0; s < 2; s++) {
 			const struct ts_word *word = &rest.word[1 + s];
@@ -181,7 +181,8 @@ static enum ts_status check_bounds(const struct ts_instance *self, struct tsim *
 		if ((bound[0].given || bound[1].given) && !has_bins_along(c, dim))
 			ts_warn(&sim->log, ts_instance_word(self, "bound"),
 				"%s %s: bound %s has no effect: there are no bins along %s",
-				ts_kind_name(self->style->kind), self->style->name, dims[dim], dims[dim]);
+				ts_kind_name(self->style->kind), self->style->name, ts_axis_names[dim],
+				ts_axis_names[dim]);
 		if (bound[0].given && bound[1].given && !(bound[0].at < bound[1].at))
 			return refuse_word(sim, self, c->bound_words.word,
 					   "the upper bound must be larger than the lower one");

@@ -1,6 +1,7 @@
 /* Compute: angular momentum of each chunk. */
 #include "average/chunk_user.h"
 
+#include "base/axes.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
 
@@ -29,10 +30,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return ts_chunk_moments(self, 3, angular_momentum, &chunks, out);
 }
 
-static const char *const names[] = { "x", "y", "z", NULL };
-
 static const struct ts_value values[] = {
-	{ "momenta", "mass*length*velocity", "angular momentum of each chunk", TS_ARRAY, 3, names, eval },
+	{ "momenta", "mass*length*velocity", "angular momentum of each chunk", TS_ARRAY, 3, ts_axis_names,
+	  eval },
 	{ .name = NULL },
 };
 

@@ -1,5 +1,6 @@
 /* Compute: centre of mass of each chunk. */
 #include "average/chunk_user.h"
+#include "base/axes.h"
 
 #include "base/banned.h"
 
@@ -22,10 +23,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static const char *const names[] = { "x", "y", "z", NULL };
-
 static const struct ts_value values[] = {
-	{ "centers", "length", "centre of mass of each chunk", TS_ARRAY, 3, names, eval },
+	{ "centers", "length", "centre of mass of each chunk", TS_ARRAY, 3, ts_axis_names, eval },
 	{ .name = NULL },
 };
 

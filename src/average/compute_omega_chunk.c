@@ -1,6 +1,7 @@
 /* Compute: angular velocity of each chunk. */
 #include "average/chunk_user.h"
 
+#include "base/axes.h"
 #include "math/symmetric3.h"
 #include "math/vec3.h"
 #include "particle/group_moments.h"
@@ -56,10 +57,8 @@ static void fini(struct ts_instance *self)
 	ts_chunk_user_fini(self);
 }
 
-static const char *const names[] = { "x", "y", "z", NULL };
-
 static const struct ts_value values[] = {
-	{ "omega", "1/time", "angular velocity of each chunk", TS_ARRAY, 3, names, eval },
+	{ "omega", "1/time", "angular velocity of each chunk", TS_ARRAY, 3, ts_axis_names, eval },
 	{ .name = NULL },
 };
 

@@ -1,6 +1,7 @@
 /* Compute: torque on each chunk. */
 #include "average/chunk_user.h"
 
+#include "base/axes.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
 
@@ -26,10 +27,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return ts_chunk_moments(self, 3, torque, &chunks, out);
 }
 
-static const char *const names[] = { "x", "y", "z", NULL };
-
 static const struct ts_value values[] = {
-	{ "torques", "force*length", "torque on each chunk", TS_ARRAY, 3, names, eval },
+	{ "torques", "force*length", "torque on each chunk", TS_ARRAY, 3, ts_axis_names, eval },
 	{ .name = NULL },
 };
 

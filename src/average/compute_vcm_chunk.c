@@ -1,6 +1,7 @@
 /* Compute: velocity of each chunk. */
 #include "average/chunk_user.h"
 
+#include "base/axes.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -35,11 +36,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static const char *const names[] = { "x", "y", "z", NULL };
-
 static const struct ts_value values[] = {
-	{ "velocities", "velocity", "velocity of the centre of mass of each chunk", TS_ARRAY, 3, names,
-	  eval },
+	{ "velocities", "velocity", "velocity of the centre of mass of each chunk", TS_ARRAY, 3,
+	  ts_axis_names, eval },
 	{ .name = NULL },
 };
 

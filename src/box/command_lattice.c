@@ -1,4 +1,5 @@
 /* Command lattice: defines a lattice for create_atoms and for lengths in lattice units. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include <math.h>
@@ -22,9 +23,8 @@ struct orient {
 	int64_t index[3];
 };
 
-static const char *const dims[] = { "x", "y", "z", NULL };
 static const struct ts_arg orient_rows[] = {
-	TS_ENUM("dim", struct orient, dim, dims, .flags = TS_POSITIONAL, .help = "dimension"),
+	TS_ENUM("dim", struct orient, dim, ts_axis_names, .flags = TS_POSITIONAL, .help = "dimension"),
 	TS_INT("i", struct orient, index[0], .flags = TS_POSITIONAL, .help = "along a1"),
 	TS_INT("j", struct orient, index[1], .flags = TS_POSITIONAL, .help = "along a2"),
 	TS_INT("k", struct orient, index[2], .flags = TS_POSITIONAL, .help = "along a3"),

@@ -1,3 +1,4 @@
+#include "base/axes.h"
 #include "coupling/coupling_force.h"
 
 #include <math.h>
@@ -228,9 +229,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static const char *const columns[] = { "x", "y", "z" };
 const struct ts_value ts_coupling_force_values[] = {
-	{ "force", "force", "total force on the particles", TS_VECTOR, 3, columns, eval },
+	{ "force", "force", "total force on the particles", TS_VECTOR, 3, ts_axis_names, eval },
 	{ .name = NULL },
 };
 

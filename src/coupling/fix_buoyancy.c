@@ -1,4 +1,5 @@
 /* Fix buoyancy: hydrostatic buoyancy of particles. */
+#include "base/axes.h"
 #include "flow/projection.h"
 #include "law/buoyancy.h"
 
@@ -14,8 +15,6 @@
 #include "core/sim.h"
 
 #include "base/banned.h"
-
-static const char *const axes[] = { "x", "y", "z", NULL };
 
 struct state {
 	int dim;
@@ -76,7 +75,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       "fix buoyancy: buoyancy would count twice: the pressure of the fluid holds its weight "
 		       "(body_force along %s, flow_style in line %d) and acts on the particles by fix %s "
 		       "(line %d): leave out fix buoyancy, or the body_force",
-		       axes[s->dim], flow->where.line, fix->style->name, fix->where.line);
+		       ts_axis_names[s->dim], flow->where.line, fix->style->name, fix->where.line);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -115,7 +114,8 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	for (int d = 0; d < 3; d++)
 		if (d != s->dim && s->gravity->direction[d] != 0)
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "dim"),
-				       "fix buoyancy: gravity does not point along %s", axes[s->dim]);
+				       "fix buoyancy: gravity does not point along %s",
+				       ts_axis_names[s->dim]);
 	return TS_OK;
 }
 
@@ -144,7 +144,7 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_ENUM("dim", struct state, dim, axes, .help = "axis normal to the surface of the fluid"),
+	TS_ENUM("dim", struct state, dim, ts_axis_names, .help = "axis normal to the surface of the fluid"),
 	TS_REAL("level", struct state, level, .fallback = "0", .unit = "length",
 		.help = "coordinate of the surface"),
 	TS_REAL("density", struct state, density, .range = TS_POSITIVE, .unit = "density",
@@ -154,9 +154,8 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "force", "force", "total buoyancy of the particles", TS_VECTOR, 3, components, eval },
+	{ "force", "force", "total buoyancy of the particles", TS_VECTOR, 3, ts_axis_names, eval },
 	{ .name = NULL },
 };
 

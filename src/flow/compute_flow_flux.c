@@ -1,4 +1,5 @@
 /* Compute flow/flux: volume flow through a plane or a face of the grid. */
+#include "base/axes.h"
 #include "flow/flow.h"
 #include "flow/flow_measures.h"
 #include "region/region.h"
@@ -38,7 +39,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
 		       "compute flow/flux: %s = %g is outside of the fluid's grid, which goes from %g to %g",
-		       ts_region_axes[d], s->at, fluid->grid.face[d][0],
+		       ts_axis_names[d], s->at, fluid->grid.face[d][0],
 		       fluid->grid.face[d][fluid->grid.n[d]]);
 }
 

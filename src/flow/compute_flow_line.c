@@ -1,4 +1,5 @@
 /* Compute: velocity, pressure ... of the fluid along a line. */
+#include "base/axes.h"
 #include "flow/flow.h"
 #include "flow/flow_sampling.h"
 #include "math/vec3.h"
@@ -92,7 +93,7 @@ static const struct ts_arg between[] = {
 };
 
 static const struct ts_arg cells[] = {
-	TS_ENUM("axis", struct state, axis, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("axis", struct state, axis, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "direction of the line"),
 	TS_REAL("first", struct state, other[0], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "the first of the two other coordinates, in the order x, y, z"),

@@ -1,4 +1,5 @@
 /* Compute: velocity, pressure ... of the fluid in a plane. */
+#include "base/axes.h"
 #include "flow/flow.h"
 #include "flow/flow_sampling.h"
 #include "region/region.h"
@@ -61,7 +62,7 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_ENUM("axis", struct state, axis, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("axis", struct state, axis, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "normal of the plane"),
 	TS_REAL("at", struct state, at, .flags = TS_POSITIONAL, .unit = "length",
 		.help = "its coordinate along that axis"),

@@ -1,4 +1,5 @@
 /* Arguments common to several commands of the fluid. */
+#include "base/axes.h"
 #include "flow/flow_arguments.h"
 #include "region/region.h"
 
@@ -47,7 +48,7 @@ struct setting {
 };
 
 static const struct ts_arg setting_rows[] = {
-	TS_ENUM("dim", struct setting, dim, ts_region_axes, .flags = TS_POSITIONAL, .help = "coordinate"),
+	TS_ENUM("dim", struct setting, dim, ts_axis_names, .flags = TS_POSITIONAL, .help = "coordinate"),
 	TS_WORD("name", struct setting, name, .flags = TS_POSITIONAL,
 		.help = "internal-style variable that gets it"),
 	TS_ARGS_END,

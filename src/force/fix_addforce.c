@@ -1,4 +1,5 @@
 #include "average/particle_tally.h"
+#include "base/axes.h"
 #include "core/number_or_peratom.h"
 #include "energy/potential_energy.h"
 #include "group/chosen.h"
@@ -125,12 +126,11 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "energy", "energy", "potential energy of all particles in the added force", TS_SCALAR, 1, NULL,
 	  eval_energy },
 	{ "before", "force", "total force on the particles before the force was added", TS_VECTOR, 3,
-	  components, eval_before },
+	  ts_axis_names, eval_before },
 	{ .name = NULL },
 };
 

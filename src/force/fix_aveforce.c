@@ -1,4 +1,5 @@
 /* Fix aveforce: each particle of the group gets the mean force of the group. */
+#include "base/axes.h"
 #include "core/arg.h"
 #include "force/restraint.h"
 #include "group/chosen.h"
@@ -79,10 +80,9 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "before", "force", "total force on the particles before it was averaged", TS_VECTOR, 3, components,
-	  eval_before },
+	{ "before", "force", "total force on the particles before it was averaged", TS_VECTOR, 3,
+	  ts_axis_names, eval_before },
 	{ .name = NULL },
 };
 

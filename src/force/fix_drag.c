@@ -1,4 +1,5 @@
 /* Fix drag: a force of constant magnitude towards a point. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include <string.h>
@@ -85,9 +86,8 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "force", "force", "total force on the particles", TS_VECTOR, 3, components, eval_total },
+	{ "force", "force", "total force on the particles", TS_VECTOR, 3, ts_axis_names, eval_total },
 	{ .name = NULL },
 };
 

@@ -1,4 +1,5 @@
 #include "average/particle_tally.h"
+#include "base/axes.h"
 #include "core/deferred_loops.h"
 #include "group/group_members.h"
 #include "particle/particles.h"
@@ -83,10 +84,9 @@ static void fini(struct ts_instance *self)
 	ts_particle_tally_release(&s->before);
 }
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "before", "force", "total force on the particles before it was cleared", TS_VECTOR, 3, components,
-	  eval_before },
+	{ "before", "force", "total force on the particles before it was cleared", TS_VECTOR, 3,
+	  ts_axis_names, eval_before },
 	{ .name = NULL },
 };
 

@@ -1,4 +1,5 @@
 /* Fix move: prescribed motion. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include "box/domain.h"
@@ -390,11 +391,10 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "start", "length",
 	  "unwrapped position of each particle when the fix was defined, 0 outside the group", TS_PERATOM, 3,
-	  components, eval_start },
+	  ts_axis_names, eval_start },
 	{ .name = NULL },
 };
 

@@ -1,4 +1,5 @@
 #include "average/particle_tally.h"
+#include "base/axes.h"
 #include "core/number_or_peratom.h"
 #include "force/restraint.h"
 #include "group/chosen.h"
@@ -92,9 +93,8 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "before", "force", "total force on the particles before it was set", TS_VECTOR, 3, components,
+	{ "before", "force", "total force on the particles before it was set", TS_VECTOR, 3, ts_axis_names,
 	  eval_before },
 	{ .name = NULL },
 };

@@ -1,4 +1,5 @@
 /* Fix store/force: stores the forces at this point of the time step. */
+#include "base/axes.h"
 #include "core/sim.h"
 #include "particle/columns.h"
 
@@ -60,10 +61,9 @@ static enum ts_status eval_forces(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "force", "force", "stored force on each particle; 0 outside the group", TS_PERATOM, 3, components,
-	  eval_forces },
+	{ "force", "force", "stored force on each particle; 0 outside the group", TS_PERATOM, 3,
+	  ts_axis_names, eval_forces },
 	{ .name = NULL },
 };
 

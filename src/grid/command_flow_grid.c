@@ -1,4 +1,5 @@
 /* Command flow_grid: non-uniform cell widths along an axis. */
+#include "base/axes.h"
 #include "flow/projection.h"
 
 #include <math.h>
@@ -138,7 +139,7 @@ static enum ts_status read_faces(struct tsim *sim, const struct state *s, const 
 	if (s->faces.n != (size_t)n + 1)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "flow_grid: %d cells along %s have %d faces, and %zu are given", n,
-			       ts_region_axes[d], n + 1, s->faces.n);
+			       ts_axis_names[d], n + 1, s->faces.n);
 	for (int i = 0; i <= n; i++) {
 		const struct ts_word *word = &s->faces.word[i];
 
@@ -154,7 +155,7 @@ static enum ts_status read_faces(struct tsim *sim, const struct state *s, const 
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "flow_grid: the grid goes from %g to %g along %s: the first and the last face "
 			       "must lie there",
-			       lo, lo + length, ts_region_axes[d]);
+			       lo, lo + length, ts_axis_names[d]);
 	face[0] = 0;
 	face[n] = 1;
 	return TS_OK;
@@ -185,7 +186,7 @@ static enum ts_status set_grid_spacing(struct tsim *sim, void *state, const stru
 	TS_TRY(ts_projection_require(sim, "flow_grid", where, &flow, &p));
 	if (s->axis >= p->fluid.grid.dimensions)
 		return ts_fail(&sim->error, TS_RANGE, where, "flow_grid: there is one cell along %s",
-			       ts_region_axes[s->axis]);
+			       ts_axis_names[s->axis]);
 	if (s->mode != UNIFORM) {
 		face = ts_alloc((size_t)p->fluid.grid.n[s->axis] + 1, sizeof *face);
 		if (!face)
@@ -245,7 +246,7 @@ static const struct ts_mode modes[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_ENUM("axis", struct state, axis, ts_region_axes, .flags = TS_POSITIONAL, .help = "axis"),
+	TS_ENUM("axis", struct state, axis, ts_axis_names, .flags = TS_POSITIONAL, .help = "axis"),
 	TS_MODE("spacing", struct state, mode, modes, .help = "distribution of cell widths"),
 	TS_ARGS_END,
 };

@@ -1,4 +1,5 @@
 /* Compute com: center of mass. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include "math/exactsum.h"
@@ -30,15 +31,13 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static const char *const names[] = { "x", "y", "z", NULL };
-
 static const struct ts_value values[] = {
 	{ .name = "center",
 	  .unit = "length",
 	  .help = "center of mass of the group, unwrapped",
 	  .shape = TS_VECTOR,
 	  .columns = 3,
-	  .column_names = names,
+	  .column_names = ts_axis_names,
 	  .eval = eval },
 	{ .name = NULL },
 };

@@ -1,4 +1,5 @@
 /* Compute temp/ramp: temperature of the motion relative to a velocity that varies linearly. */
+#include "base/axes.h"
 #include "group/temperature.h"
 #include "math/ramp.h"
 #include "region/region.h"
@@ -64,7 +65,7 @@ static const struct ts_arg args[] = {
 		.help = "its value at lo and below"),
 	TS_REAL("vhi", struct temp_ramp, v[1], .flags = TS_POSITIONAL, .unit = "velocity",
 		.help = "its value at hi and above"),
-	TS_ENUM("dim", struct temp_ramp, dim, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("dim", struct temp_ramp, dim, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "coordinate on which it depends"),
 	TS_REAL("lo", struct temp_ramp, x[0], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "lower coordinate"),

@@ -1,13 +1,13 @@
 /* Planes that cut the scene open: the keyword clip. */
+#include "base/axes.h"
 #include "image/image_clip.h"
 
 #include "base/banned.h"
 
-static const char *const axes[] = { "x", "y", "z", NULL };
 static const char *const sides[] = { "above", "below", NULL };
 
 static const struct ts_arg rows[] = {
-	TS_ENUM("axis", struct ts_image_clip, axis, axes, .flags = TS_POSITIONAL,
+	TS_ENUM("axis", struct ts_image_clip, axis, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "that the plane is perpendicular to"),
 	TS_NUMBER("position", struct ts_image_clip, position, .flags = TS_POSITIONAL,
 		  .help = "coordinate of the plane (length), number or variable"),

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/axes.h"
 #include "base/parallel.h"
 #include "flow/flow.h"
 #include "image/image_body.h"
@@ -19,9 +20,8 @@ static const char who[] = "dump image: slice";
 /* Corners along an axis that coarse grids are refined to; the most parts of a cell; the most corners of a slice. */
 enum { FINE = 200, MOST_PARTS = 8, MOST_CORNERS = 400000, MOST_ARROWS = 1000000 };
 
-static const char *const axes[] = { "x", "y", "z", NULL };
 static const struct ts_arg rows[] = {
-	TS_ENUM("axis", struct ts_image_slice, axis, axes, .flags = TS_POSITIONAL,
+	TS_ENUM("axis", struct ts_image_slice, axis, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "that the plane is perpendicular to"),
 	TS_NUMBER("position", struct ts_image_slice, position, .flags = TS_POSITIONAL,
 		  .help = "coordinate of the plane (length), number or variable"),
@@ -58,7 +58,7 @@ static enum ts_status check_position(struct tsim *sim, const struct ts_image_sli
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &s->group.keyword.place,
 		       "dump image: slice: %s = %g is outside of the fluid's grid, which goes from %g to %g",
-		       axes[s->axis], s->position.value, grid->face[s->axis][0],
+		       ts_axis_names[s->axis], s->position.value, grid->face[s->axis][0],
 		       grid->face[s->axis][grid->n[s->axis]]);
 }
 
@@ -375,7 +375,7 @@ static enum ts_status begin(struct ts_instance *self, struct tsim *sim, struct t
 	if (!s->told)
 		ts_warn(&sim->log, &s->group.keyword.place,
 			"dump %s: no slice at step %lld: %s = %g is outside of the fluid's grid", self->id,
-			(long long)sim->clock.step, axes[s->axis], s->at);
+			(long long)sim->clock.step, ts_axis_names[s->axis], s->at);
 	s->told = true;
 	return TS_OK;
 }

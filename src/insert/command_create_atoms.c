@@ -1,4 +1,5 @@
 /* Command create_atoms: creates particles on a lattice, at random positions, or a single one. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include <math.h>
@@ -244,7 +245,7 @@ struct coordinate_variable {
 };
 
 static const struct ts_arg setting_rows[] = {
-	TS_ENUM("dim", struct coordinate_variable, dim, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("dim", struct coordinate_variable, dim, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "coordinate"),
 	TS_WORD("name", struct coordinate_variable, name, .flags = TS_POSITIONAL,
 		.help = "internal-style variable that is set to it"),

@@ -1,4 +1,5 @@
 /* Compute nparticles/tracer/region: counts marked particles in a region. */
+#include "base/axes.h"
 #include "box/domain.h"
 #include "insert/tracer.h"
 #include "math/exactsum.h"
@@ -36,7 +37,7 @@ static enum ts_status read_periodic(struct ts_instance *self, struct tsim *sim)
 	if (!n)
 		return TS_OK;
 	for (int k = 0; k < 3; k++)
-		if (ts_streq(dim->text, ts_region_axes[k]))
+		if (ts_streq(dim->text, ts_axis_names[k]))
 			s->dim = k;
 	if (n % 2 || s->dim < 0)
 		return ts_fail(&sim->error, TS_SYNTAX, &dim->place,

@@ -1,4 +1,5 @@
 /* Cartesian grids as XML files for VTK. */
+#include "base/axes.h"
 #include "io/vtk_xml.h"
 
 #include "base/banned.h"
@@ -39,11 +40,11 @@ static void add_head(struct ts_str *out, const struct ts_vtk_grid *grid, bool im
 
 static enum ts_status add_coordinates(struct tsim *sim, struct ts_str *out, const struct ts_vtk_grid *grid)
 {
-	static const char *const axis[] = { "x", "y", "z" };
 
 	ts_str_add(out, "<Coordinates>\n");
 	for (int d = 0; d < 3; d++)
-		TS_TRY(ts_vtk_add_array(sim, out, axis[d], "Float64", 1, grid->face[d], grid->n[d] + 1));
+		TS_TRY(ts_vtk_add_array(sim, out, ts_axis_names[d], "Float64", 1, grid->face[d],
+					grid->n[d] + 1));
 	ts_str_add(out, "</Coordinates>\n");
 	return TS_OK;
 }

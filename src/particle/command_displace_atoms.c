@@ -1,4 +1,5 @@
 /* Command displace_atoms: displaces particles. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include <math.h>
@@ -143,13 +144,13 @@ static const struct ts_arg move_args[] = {
 };
 
 static const struct ts_arg ramp_args[] = {
-	TS_ENUM("ddim", struct state, component, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("ddim", struct state, component, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "direction of the displacement"),
 	TS_REAL("dlo", struct state, d[0], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "displacement at clo and below"),
 	TS_REAL("dhi", struct state, d[1], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "displacement at chi and above"),
-	TS_ENUM("dim", struct state, dim, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("dim", struct state, dim, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "coordinate on which the displacement depends"),
 	TS_REAL("clo", struct state, at[0], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "lower coordinate"),

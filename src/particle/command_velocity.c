@@ -1,4 +1,5 @@
 /* Command velocity: sets velocities of particles. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include <math.h>
@@ -332,7 +333,7 @@ static const struct ts_arg ramp_args[] = {
 		.help = "value at lo and below"),
 	TS_REAL("vhi", struct state, v[1], .flags = TS_POSITIONAL, .unit = "velocity",
 		.help = "value at hi and above"),
-	TS_ENUM("dim", struct state, dim, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("dim", struct state, dim, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "coordinate on which the velocity depends"),
 	TS_REAL("lo", struct state, x[0], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "lower coordinate"),

@@ -1,4 +1,5 @@
 /* Fix recenter: keeps the centre of mass of a group at a given position. */
+#include "base/axes.h"
 #include "core/sim.h"
 
 #include <math.h>
@@ -104,11 +105,10 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "distance", "length", "distance by which particles were shifted in the last step", TS_SCALAR, 1,
 	  NULL, eval_distance },
-	{ "shift", "length", "components of that shift", TS_VECTOR, 3, components, eval_shift },
+	{ "shift", "length", "components of that shift", TS_VECTOR, 3, ts_axis_names, eval_shift },
 	{ .name = NULL },
 };
 

@@ -12,7 +12,6 @@
 
 const char *const ts_region_sides[] = { "in", "out", NULL };
 const char *const ts_region_units[] = { "lattice", "box", NULL };
-const char *const ts_region_axes[] = { "x", "y", "z", NULL };
 
 static const struct ts_region_style *style_of(const struct ts_instance *region)
 {

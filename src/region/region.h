@@ -138,8 +138,6 @@ enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, doubl
 enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim, const struct ts_number *given,
 				int dim, double *out);
 
-extern const char *const ts_region_axes[];
-
 /* Functions of formulas over regions: volume(region). */
 extern const struct ts_system_style ts_regions_system;
 

@@ -1,4 +1,5 @@
 /* Region cylinder: a cylinder along a coordinate axis. */
+#include "base/axes.h"
 #include "math/constants.h"
 #include "region/region_frustum.h"
 
@@ -102,7 +103,7 @@ static double volume(const struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_ENUM("axis", struct cylinder, axis, ts_region_axes, .flags = TS_POSITIONAL,
+	TS_ENUM("axis", struct cylinder, axis, ts_axis_names, .flags = TS_POSITIONAL,
 		.help = "direction of the axis"),
 	TS_NUMBER("c1", struct cylinder, given[0], .flags = TS_POSITIONAL, .unit = "length",
 		  .help = "center in the first of the other dimensions"),

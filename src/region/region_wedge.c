@@ -1,4 +1,5 @@
 /* Region wedge: a sector of a cylinder. */
+#include "base/axes.h"
 #include "math/constants.h"
 #include "region/region.h"
 
@@ -163,7 +164,7 @@ static double volume(const struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_ENUM("axis", struct wedge, axis, ts_region_axes, .help = "direction of the axis"),
+	TS_ENUM("axis", struct wedge, axis, ts_axis_names, .help = "direction of the axis"),
 	TS_SOME_KEYWORD("center", struct wedge, center_words, 0,
 			.help = "c1 c2: a point on the axis, in the other dimensions in cyclic order: y z, z "
 				"x or x y"),

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "base/axes.h"
 #include "box/domain.h"
 #include "core/report.h"
 #include "math/constants.h"
@@ -31,7 +32,6 @@ struct state {
 	int64_t steps;
 };
 
-static const char *const normals[] = { "x", "y", "z", NULL };
 static const char *const noises[] = {
 	[TS_VOXEL_NOISE_COLUMNS] = "columns", [TS_VOXEL_NOISE_WAVES] = "waves", NULL
 };
@@ -119,14 +119,14 @@ static enum ts_status read_extent(struct ts_instance *self, struct tsim *sim)
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "size"),
 				       "fix surface/voxel: the field is longer than the periodic box along "
 				       "%s, %g and %g: it would overlap its own images",
-				       normals[axis], extent, length);
+				       ts_axis_names[axis], extent, length);
 		end = ts_voxel_border(f, d, f->n[d]);
 		if (ts_voxel_border(f, d, 1) > f->origin[d] && end > ts_voxel_border(f, d, f->n[d] - 1))
 			continue;
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix surface/voxel: columns of width %g from %g to %g along %s: neighbours "
 			       "have the same coordinate, rounded",
-			       f->width[d], f->origin[d], end, normals[axis]);
+			       f->width[d], f->origin[d], end, ts_axis_names[axis]);
 	}
 	return TS_OK;
 }
@@ -142,7 +142,7 @@ static enum ts_status read_base(struct ts_instance *self, struct tsim *sim)
 			       "fix surface/voxel: the box is periodic along %s, the axis of the heights, "
 			       "and the columns have no bottom: give a `base`, or let the box be fixed there "
 			       "(`boundary`)",
-			       normals[f->axis[2]]);
+			       ts_axis_names[f->axis[2]]);
 	return TS_OK;
 }
 
@@ -188,7 +188,7 @@ static enum ts_status check_height(struct ts_instance *self, struct tsim *sim)
 		       "fix surface/voxel: the highest column is longer than the periodic box along %s, %g "
 		       "and %g: it "
 		       "would overlap its own images; raise the `base`",
-		       normals[f->axis[2]], height, length);
+		       ts_axis_names[f->axis[2]], height, length);
 }
 
 /* The box may have changed since the field was made to span it. */
@@ -203,7 +203,7 @@ static enum ts_status check_period(struct ts_instance *self, struct tsim *sim)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix surface/voxel: the field has spanned the periodic box along %s, "
 				       "whose length has changed from %g to %g",
-				       normals[f->axis[d]], (double)f->n[d] * f->width[d], length);
+				       ts_axis_names[f->axis[d]], (double)f->n[d] * f->width[d], length);
 	}
 	return check_height(self, sim);
 }
@@ -479,7 +479,7 @@ static const struct ts_arg args[] = {
 	TS_SOME_KEYWORD("cells", struct state, cells, TS_STATEFUL,
 			.help = "number of columns along the first and second axis; file and image: that of "
 				"the file"),
-	TS_ENUM("normal", struct state, normal, normals, .flags = TS_STATEFUL, .fallback = "z",
+	TS_ENUM("normal", struct state, normal, ts_axis_names, .flags = TS_STATEFUL, .fallback = "z",
 		.help = "axis of the heights; the first and second axis are the next ones in cyclic order"),
 	TS_SOME_KEYWORD("origin", struct state, origin, TS_STATEFUL, .unit = "length",
 			.help = "lower corner of the field along the first and second axis; default: of the "
