@@ -1571,6 +1571,8 @@ library_sources = \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \
+	src/wall/mesh_crowd.c \
+	src/wall/mesh_crowd.h \
 	src/wall/mesh_sieve.c \
 	src/wall/mesh_sieve.h \
 	src/wall/mesh_stick.c \

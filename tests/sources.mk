@@ -187,6 +187,7 @@ shell_tests = \
 	tests/mesh/free_mesh.sh \
 	tests/mesh/long_meshes.sh \
 	tests/mesh/massflow.sh \
+	tests/mesh/mesh_changes.sh \
 	tests/mesh/mesh_dumps.sh \
 	tests/mesh/mesh_primitive.sh \
 	tests/mesh/mesh_rim.sh \

@@ -92,6 +92,7 @@ struct ts_arg {
 	 * many words are taken, even if they are keywords. */
 	const char *count;
 	size_t least; /* TS_ARG_REST with TS_TO_KEYWORD: so many words are taken, even if they are keywords */
+	size_t most;  /* TS_ARG_REST with TS_TO_KEYWORD: no more words are taken; 0: any number */
 	/* TS_ARG_REST with TS_TO_KEYWORD: keywords and choices of these rows are taken as words, although
 	 * the table has keywords of the same name. */
 	const struct ts_arg *inner;

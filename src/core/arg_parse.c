@@ -73,6 +73,8 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 		if (!is_keyword_or_choice(row->inner, rest.word[k].text) &&
 		    (find_keyword(common, rest.word[k].text) || find_keyword(p->rows, rest.word[k].text)))
 			rest.n = k;
+	if (row->most && rest.n > row->most)
+		rest.n = row->most;
 	if (!rest.n && !(row->flags & TS_OPTIONAL))
 		return ts_arg_refuse(p, row, NULL, row->help);
 	p->next += rest.n;

@@ -195,7 +195,8 @@ static unsigned shape_with_indices(const struct ts_ref *ref, enum ts_shape shape
 	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
 }
 
-enum ts_status ts_ref_check_index(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
+enum ts_status ts_ref_check_index(struct tsim *sim, const struct ts_ref *ref, unsigned shapes,
+				  const struct ts_place *where)
 {
 	const struct ts_instance *inst = ref->inst;
 	size_t most = 0;
@@ -207,7 +208,7 @@ enum ts_status ts_ref_check_index(struct tsim *sim, const struct ts_ref *ref, co
 		const long wanted = array && ref->column ? ref->column : ref->index;
 		size_t width;
 
-		if (!ts_value_given(inst, v) || !shape_with_indices(ref, v->shape))
+		if (!ts_value_given(inst, v) || !(shape_with_indices(ref, v->shape) & shapes))
 			continue;
 		width = ts_value_width(inst, v);
 		if (width == 0 || wanted <= (long)width)

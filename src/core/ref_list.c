@@ -100,7 +100,7 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
 		return fail_unknown_quantity(sim, what, shapes, input);
 	if (!input->quantity) {
 		TS_TRY(ts_ref_resolve(sim, input->name, &input->where, &input->ref));
-		TS_TRY(ts_ref_check_index(sim, &input->ref, &input->where));
+		TS_TRY(ts_ref_check_index(sim, &input->ref, shapes, &input->where));
 		found = ts_ref_shapes(sim, &input->ref);
 	}
 	for (int k = 0; k < NSHAPES; k++) {

@@ -11,7 +11,7 @@
 #include "insert/stream.h"
 #include "math/rigid_turn.h"
 #include "math/vec3.h"
-#include "mesh/mesh_surface.h"
+#include "mesh/mesh_motion.h"
 #include "particle/columns.h"
 #include "particle/particles.h"
 #include "rigid/rigid_motion.h"
@@ -58,10 +58,18 @@ static enum ts_status find_face(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_word id = { .text = s->face_id, .place = *ts_instance_word(self, s->face_id) };
+	const struct ts_instance *mover;
 	const struct ts_mesh *mesh;
 	double through;
 
 	TS_TRY(ts_mesh_surface_require(sim, &id, &s->face));
+	mover = ts_mesh_mover_of(sim, s->face_id);
+	if (mover)
+		return ts_fail(&sim->error, TS_STATE, &id.place,
+			       "fix insert/stream: mesh %s is moved by fix %s (%s:%d), but the face of a "
+			       "stream "
+			       "must stay where it is",
+			       s->face_id, mover->id, TS_FILE_AND_LINE(mover->where));
 	mesh = &s->face->mesh;
 	for (size_t t = 1; t < mesh->n; t++)
 		if (fabs(ts_dot(mesh->normal[t], mesh->normal[0])) < 1 - 1e-6)

@@ -238,11 +238,30 @@ static enum ts_status move_mesh(struct state *s, struct tsim *sim)
 	return ts_mesh_surface_set_motion(sim, &s->surface, &m);
 }
 
+static enum ts_status refuse_words(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_place *reference = ts_instance_word(self, "reference_point");
+
+	if (s->words.surface_vel.n || s->words.surface_ang_vel.n)
+		return ts_fail(&sim->error, TS_STATE,
+			       ts_instance_word(self,
+						s->words.surface_vel.n ? "surface_vel" : "surface_ang_vel"),
+			       "fix %s: a servo moves, and its surface cannot move like a belt, too",
+			       self->style->name);
+	if (reference != &self->where)
+		return ts_fail(&sim->error, TS_STATE, reference,
+			       "fix %s: torques on a servo are about `com`, it has no reference_point",
+			       self->style->name);
+	return TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	bool first = !s->surface.mesh.n;
 
+	TS_TRY(refuse_words(self, sim));
 	if (first)
 		ts_scale(1, s->com, s->stress.given);
 	TS_TRY(ts_mesh_surface_init(self, sim, &s->words));

@@ -31,6 +31,7 @@ enum ts_status ts_mesh_stress_init(struct ts_instance *self, struct tsim *sim,
 	if (s->load)
 		return TS_OK;
 	ts_scale(1, s->given, surface->anchor);
+	ts_scale(1, s->given, surface->anchor_given);
 	s->load = ts_alloc(n, sizeof *s->load);
 	s->normal = ts_alloc(n, sizeof *s->normal);
 	s->shear = ts_alloc(n, sizeof *s->shear);

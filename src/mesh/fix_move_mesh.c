@@ -1,6 +1,7 @@
 /* Fix move/mesh: prescribed rigid motion of meshes. */
 #include <inttypes.h>
 #include <math.h>
+#include <string.h>
 
 #include "box/domain.h"
 #include "math/constants.h"
@@ -13,6 +14,11 @@ enum { MOST_TERMS = 30 };
 struct term {
 	double amplitude;    /* length or radian */
 	double phase, omega; /* radian, radian/time */
+};
+
+/* Velocity, and angular velocity about the axis (radian/time). */
+struct rate {
+	double drift[3], spin;
 };
 
 struct state {
@@ -28,13 +34,15 @@ struct state {
 	 * (radian) */
 	double base, dt, shift[3], angle;
 	int64_t steps;
+	/* The part of a motion of constant rate since this rate is another one, as a continuation from a restart file may give:
+	 * the rate, and where it began. */
+	struct leg {
+		struct rate rate;
+		double time, shift[3], angle;
+	} leg;
 };
 
-/* Velocity, and angular velocity about the axis (radian/time), at the time t since the definition of the
- * fix. */
-struct rate {
-	double drift[3], spin;
-};
+/* The rate at the time t since the definition of the fix. */
 typedef enum ts_status rate_fn(struct ts_instance *self, struct tsim *sim, double t, struct rate *r);
 
 static enum ts_status linear_rate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
@@ -217,13 +225,31 @@ static void advance_time(struct state *s, double dt)
 	s->steps++;
 }
 
+static bool is_rate_of_leg(const struct leg *leg, const struct rate *r)
+{
+	return memcmp(&leg->rate, r, sizeof *r) == 0;
+}
+
+static void begin_leg(struct state *s, const struct rate *r, double dt)
+{
+	s->leg.rate = *r;
+	s->leg.time = elapsed_time(s) - dt;
+	ts_scale(1, s->shift, s->leg.shift);
+	s->leg.angle = s->angle;
+}
+
 static void integrate_motion(struct state *s, const struct rate *r, double dt)
 {
-	double span = motion_kind(s)->steady ? elapsed_time(s) : dt;
+	bool steady = motion_kind(s)->steady;
+	double span = dt;
 
+	if (steady && !is_rate_of_leg(&s->leg, r))
+		begin_leg(s, r, dt);
+	if (steady)
+		span = elapsed_time(s) - s->leg.time;
 	for (int k = 0; k < 3; k++)
-		s->shift[k] = (motion_kind(s)->steady ? 0 : s->shift[k]) + span * r->drift[k];
-	s->angle = (motion_kind(s)->steady ? 0 : s->angle) + span * r->spin;
+		s->shift[k] = (steady ? s->leg.shift[k] : s->shift[k]) + span * r->drift[k];
+	s->angle = (steady ? s->leg.angle : s->angle) + span * r->spin;
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
@@ -301,9 +327,10 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 #define RATE_ROW(k, c)                                                                      \
 	TS_NUMBER("V" c, struct state, rate[k], .flags = TS_POSITIONAL, .unit = "velocity", \
 		  .help = c " velocity, usually a variable")
-#define ORIGIN_ROW \
-	TS_VEC3("origin", struct state, mover.origin, .unit = "length", .help = "a point of the axis")
-#define AXIS_ROW(help_) TS_VEC3("axis", struct state, axis, .help = help_)
+#define ORIGIN_ROW                                                                            \
+	TS_VEC3("origin", struct state, mover.origin, .flags = TS_STATEFUL, .unit = "length", \
+		.help = "a point of the axis")
+#define AXIS_ROW(help_) TS_VEC3("axis", struct state, axis, .flags = TS_STATEFUL, .help = help_)
 #define PERIOD_ROW                                                                    \
 	TS_REAL("period", struct state, period, .range = TS_POSITIVE, .unit = "time", \
 		.help = "time of one revolution or oscillation")
@@ -373,7 +400,12 @@ static const struct ts_arg args[] = {
 	TS_ENUM("what", struct state, what, movable, .flags = TS_POSITIONAL, .help = "what moves"),
 	TS_WORD("mesh-ID", struct state, mover.mesh, .flags = TS_POSITIONAL,
 		.help = "ID of a fix mesh/surface"),
-	TS_MODE("style", struct state, mode, modes, .help = "kind of motion"),
+	{ .name = "style",
+	  .type = TS_ARG_MODE,
+	  .flags = TS_POSITIONAL | TS_STATEFUL,
+	  .offset = TS_FIELD(struct state, mode, int *),
+	  .modes = modes,
+	  .help = "kind of motion" },
 	TS_ARGS_END,
 };
 
@@ -386,6 +418,16 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_I64(struct state, steps),
 	TS_SAVED_ROWS_END,
 };
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+
+	(void)sim;
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "leg")) /* older files have none */
+		return TS_OK;
+	return ts_archive_fixed(a, "leg", TS_SAVED_F64, &s->leg, sizeof s->leg / sizeof(double));
+}
 
 TS_STYLE(fix, ts_style, ts_fix_move_mesh)
 const struct ts_style ts_fix_move_mesh = {
@@ -409,8 +451,10 @@ const struct ts_style ts_fix_move_mesh = {
 	       "contact point; in the forces before the first step the mesh is at rest, as in LIGGGHTS.\n\n"
 	       "Several fixes may move one mesh: they act one after the other in each step, and each of them "
 	       "also moves the origins of those after it (in LIGGGHTS not those of riggle and vibrot). If a "
-	       "fix is deleted, the mesh stays where it is. A "
-	       "mesh with surface_vel or surface_ang_vel cannot move.\n\n"
+	       "fix is deleted, the mesh stays where it is, and goes on from there if a script that "
+	       "continues from a restart file "
+	       "gives another velocity or period; origin, axis and kind of motion stay. A mesh with "
+	       "surface_vel or surface_ang_vel cannot move.\n\n"
 	       "Related: fix mesh/surface, fix move/mesh/free, fix mesh/surface/stress/servo.",
 	.example = "fix lift all move/mesh mesh cad linear 0 0 0.1\n"
 		   "fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"
@@ -420,6 +464,7 @@ const struct ts_style ts_fix_move_mesh = {
 	.family = TS_FAMILY_MESH_MOVER,
 	.state_size = sizeof(struct state),
 	.saved = saved,
+	.archive = archive,
 	.init = init,
 	.review = review,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/hash.h"
 #include "box/domain.h"
 #include "math/vec3.h"
 #include "mesh/mesh_admit.h"
@@ -77,6 +78,7 @@ static enum ts_status set_surface_velocity(struct ts_instance *self, struct tsim
 	for (size_t t = 0; t < s->mesh.n; t++)
 		for (int k = 0; k < 3; k++)
 			corner_velocity(&c, &s->mesh, t, k, s->v[t][k]);
+	s->belt = true;
 	return TS_OK;
 }
 
@@ -152,6 +154,14 @@ static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim
 		       self->id, bend / 3 + 1);
 }
 
+static uint64_t hash_corners(const struct ts_mesh *m)
+{
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_add(&hash, m->x, m->n * sizeof *m->x);
+	return ts_hash_value(&hash);
+}
+
 static enum ts_status load_mesh(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
 				struct ts_mesh_surface *surface)
 {
@@ -184,6 +194,7 @@ static enum ts_status load_mesh(struct ts_instance *self, struct tsim *sim, cons
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)
 		status = set_surface_velocity(self, sim, w, surface);
+	surface->given = hash_corners(&surface->mesh);
 	if (status != TS_OK)
 		ts_mesh_surface_release(surface);
 	return status;

@@ -38,11 +38,11 @@ extern const char *const ts_mesh_heal_names[];
 		       .help = "particle type whose material the mesh has"),                                 \
 		TS_REAL("temperature", T, s.temperature, .flags = TS_OPTIONAL, .unit = "temperature",        \
 			.help = "temperature of the mesh, for fix heat/gran"),                               \
-		TS_SOME_KEYWORD("scale", T, f.scale, TS_REPEAT | TS_STATEFUL,                                \
+		TS_SOME_KEYWORD("scale", T, f.scale, TS_REPEAT | TS_STATEFUL, .most = 1,                     \
 				.help = "factor for all coordinates"),                                       \
-		TS_SOME_KEYWORD("move", T, f.move, TS_REPEAT | TS_STATEFUL,                                  \
+		TS_SOME_KEYWORD("move", T, f.move, TS_REPEAT | TS_STATEFUL, .most = 3,                       \
 				.help = "x y z: shift of the mesh"),                                         \
-		TS_SOME_KEYWORD("rotate", T, f.rotate, TS_REPEAT | TS_STATEFUL,                              \
+		TS_SOME_KEYWORD("rotate", T, f.rotate, TS_REPEAT | TS_STATEFUL, .most = 6,                   \
 				.help = "axis ax ay az angle degrees: rotation about an axis "               \
 					"through the origin. scale, move and rotate act in the "             \
 					"order of the line, and may be repeated"),                           \

@@ -4,6 +4,7 @@ TS_UNROLLED
 #include "mesh/mesh_motion.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/inline.h"
 #include "base/parallel.h"
@@ -208,10 +209,16 @@ static enum ts_status moved_mesh(struct ts_instance *self, struct tsim *sim, str
 
 enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
 {
+	const struct ts_mesh_mover *mover = self->state;
 	struct ts_mesh_surface *s;
 
 	TS_TRY(moved_mesh(self, sim, &s));
 	s->has_mover = true;
+	if (mover->serial && find_motion(s, mover->serial) == s->nmotions)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: mesh %s has been defined anew since this fix moved it: define fix %s "
+			       "anew, too, behind it",
+			       self->style->name, mover->mesh, self->id);
 	if (s->v && !s->nmotions)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one that "
@@ -267,6 +274,16 @@ enum ts_status ts_mesh_surface_set_motion(struct tsim *sim, struct ts_mesh_surfa
 	s->carried = *motion;
 	s->travelled += place_mesh(sim, s);
 	return TS_OK;
+}
+
+const struct ts_instance *ts_mesh_mover_of(const struct tsim *sim, const char *mesh)
+{
+	const struct ts_instance *inst;
+
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
+		if (ts_streq(((const struct ts_mesh_mover *)inst->state)->mesh, mesh))
+			return inst;
+	return NULL;
 }
 
 static bool has_mover(const struct ts_instance *by, const struct tsim *sim, int64_t serial)
@@ -332,12 +349,46 @@ static enum ts_status archive_list(struct ts_mesh_surface *s, struct tsim *sim, 
 	return numbers == count * TS_MESH_MOTION ? TS_OK : fail_damaged(sim);
 }
 
-enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *sim, struct ts_archive *a)
+static enum ts_status refuse_given(struct ts_instance *self, struct tsim *sim, const char *word,
+				   const char *what)
 {
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, word),
+		       "fix %s: mesh %s had moved when the restart file was written, and %s; or give it "
+		       "another "
+		       "id to start without that state",
+		       self->style->name, self->id, what);
+}
+
+/* What the script gives is what the script that wrote the file gave: the mesh has moved from there. Older files do not tell. */
+static enum ts_status archive_given(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_mesh_surface *s = self->state;
+	double anchor[3] = { s->anchor_given[0], s->anchor_given[1], s->anchor_given[2] };
+	int64_t given = (int64_t)s->given;
+
+	if (!ts_archive_writing(a) && s->belt)
+		return refuse_given(self, sim, "surface_vel",
+				    "a mesh that moves has no surface_vel or surface_ang_vel: leave it out");
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "given_corners"))
+		return TS_OK;
+	TS_TRY(ts_archive_fixed(a, "given_corners", TS_SAVED_I64, &given, 1));
+	TS_TRY(ts_archive_fixed(a, "given_anchor", TS_SAVED_F64, anchor, 3));
+	if (given != (int64_t)s->given)
+		return refuse_given(self, sim, "file",
+				    "its triangles were others, at its first place: use the same ones");
+	if (memcmp(anchor, s->anchor_given, sizeof anchor) != 0)
+		return refuse_given(self, sim, "reference_point", "reference_point was another one: use it");
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_motions_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_mesh_surface *s = self->state;
 	bool writing = ts_archive_writing(a), moving;
 
 	if (writing ? !s->home : !ts_archive_has(a, "home"))
 		return TS_OK;
+	TS_TRY(archive_given(self, sim, a));
 	if (!writing && store_home(s) != TS_OK)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_archive_fixed(a, "home", TS_SAVED_F64, s->home, 9 * s->mesh.n));

@@ -28,6 +28,9 @@ enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim, co
 enum ts_status ts_mesh_mover_set_velocity(struct ts_instance *self, struct tsim *sim, const double drift[3],
 					  const double spin[3]);
 
+/* The first mover of this mesh; NULL: none. */
+const struct ts_instance *ts_mesh_mover_of(const struct tsim *sim, const char *mesh);
+
 /* For a mesh that moves by itself, without movers: moves it to `motion`, relative to its initial position. */
 enum ts_status ts_mesh_surface_set_motion(struct tsim *sim, struct ts_mesh_surface *surface,
 					  const struct ts_motion *motion);
@@ -37,7 +40,8 @@ void ts_mesh_surface_place(const struct tsim *sim, struct ts_mesh_surface *surfa
 
 /* Before a run: ends the motions whose mover has been deleted. */
 void ts_mesh_motions_remove_ended(const struct ts_instance *by, struct tsim *sim);
-enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *surface, struct tsim *sim,
+/* Fails if the mesh has moved, and the script that reads gives another one. */
+enum ts_status ts_mesh_motions_archive(struct ts_instance *self, struct tsim *sim,
 				       struct ts_archive *archive);
 void ts_mesh_motions_release(struct ts_mesh_surface *surface);
 

@@ -158,6 +158,30 @@ static bool find_text(struct ts_scan *s)
 	return false;
 }
 
+/* The length of the binary file that begins there; 0: the rest is too short for one. */
+static uint64_t length_of_binary(const struct ts_scan *s, uint64_t at)
+{
+	uint64_t rest = s->n - at, length;
+
+	if (rest < HEAD)
+		return 0;
+	length = HEAD + (uint64_t)get_u32(s->bytes + at + TITLE) * RECORD;
+	return length <= rest ? length : 0;
+}
+
+/* Whether what follows the triangles that a binary file counts is more of them, or further files, not data that some
+ * programs add. */
+static bool has_more_triangles(const struct ts_scan *s, uint64_t at)
+{
+	uint64_t length;
+
+	if ((s->n - at) % RECORD == 0)
+		return true;
+	while (at < s->n && (length = length_of_binary(s, at)))
+		at += length;
+	return at == s->n;
+}
+
 /* Binary files may begin with `solid`, too: they are recognised by their length. */
 enum ts_status ts_stl_read(struct ts_scan *s, struct ts_triangles *soup)
 {
@@ -179,6 +203,12 @@ enum ts_status ts_stl_read(struct ts_scan *s, struct ts_triangles *soup)
 				      "'%s' is no file of triangles that tsim can read: STL (text or "
 				      "binary), OBJ (with the ending .obj) or legacy VTK",
 				      s->file);
+	if (need < s->n && has_more_triangles(s, need))
+		return ts_scan_refuse(s, TS_DAMAGED,
+				      "'%s' says that it has %" PRIu32 " triangles, but %" PRIu64
+				      " bytes with further ones follow: were several binary files joined? "
+				      "Give each of them a fix of its own",
+				      s->file, get_u32(s->bytes + TITLE), s->n - need);
 	if (need < s->n) /* some programs add data of their own */
 		return read_binary(s, soup);
 	return ts_scan_refuse(s, TS_DAMAGED,

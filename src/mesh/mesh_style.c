@@ -33,7 +33,7 @@ enum ts_status ts_mesh_surface_post_build(struct ts_instance *self, struct tsim 
 
 enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
-	TS_TRY(ts_mesh_motions_archive(self->state, sim, archive));
+	TS_TRY(ts_mesh_motions_archive(self, sim, archive));
 	return ts_mesh_recede_archive(self->state, sim, archive);
 }
 

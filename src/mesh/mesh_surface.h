@@ -42,9 +42,14 @@ struct ts_mesh_surface {
 	/* motion by movers, see mesh/mesh_motion.h */
 	double (*home)[3][3];		  /* reference positions of the corners; NULL: never moved */
 	double anchor[3], anchor_home[3]; /* a point that moves with the mesh, and its reference position */
-	struct ts_motion carried;	  /* total motion from the reference by several movers */
-	struct ts_mesh_motion *motion;	  /* [nmotions] */
-	int64_t *serial;		  /* [nmotions], serial numbers of the motions */
+	/* as the script gives them, to compare with a restart file: a hash of the corners, the anchor, whether the surface
+	 * moves as a belt */
+	uint64_t given;
+	double anchor_given[3];
+	bool belt;
+	struct ts_motion carried;      /* total motion from the reference by several movers */
+	struct ts_mesh_motion *motion; /* [nmotions] */
+	int64_t *serial;	       /* [nmotions], serial numbers of the motions */
 	size_t nmotions, motion_capacity, serial_capacity;
 	int64_t serials;	   /* last serial number used */
 	double travelled;	   /* upper bound of the displacement since the last rebuild, length */

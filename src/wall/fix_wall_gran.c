@@ -1,11 +1,14 @@
 #include "impact/exact_impacts.h"
 #include "impact/impacts.h"
+#include "math/vec3.h"
 #include "wall/mesh_wall.h"
 #include "wall/primitive_wall.h"
 #include "wall/shared_contacts.h"
 #include "wall/voxel_wall.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
+
+#include <math.h>
 
 #include "base/banned.h"
 
@@ -61,6 +64,28 @@ static enum ts_status choose_shape(struct ts_instance *self, struct tsim *sim, i
 		       sum, sum ? "" : "; or `mesh n_meshes 1 meshes ID`, or `voxels ID`");
 }
 
+/* Of meshes and height fields: what moves and heats their surfaces is said elsewhere. */
+static enum ts_status refuse_words_of_primitives(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_primitive_wall *w = &((const struct wall *)self->state)->primitive;
+	const struct {
+		const char *word, *instead;
+		bool given;
+	} words[] = {
+		{ "shear", "surface_vel in its own fix", w->shear_words.n > 0 },
+		{ "wiggle", "fix move/mesh wiggle", w->wiggle_words.n > 0 },
+		{ "velocity", "surface_vel in its own fix", ts_norm(w->velocity) > 0 },
+		{ "temperature", "temperature in its own fix", !isnan(w->temperature) },
+	};
+
+	for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+		if (words[k].given)
+			return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, words[k].word),
+				       "fix wall/gran: `%s` is for planes and cylinders; a mesh has %s",
+				       words[k].word, words[k].instead);
+	return TS_OK;
+}
+
 static enum ts_status init_exact(struct ts_instance *self, struct tsim *sim)
 {
 	const struct wall *w = self->state;
@@ -81,6 +106,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	int shape = PRIMITIVE;
 
 	TS_TRY(choose_shape(self, sim, &shape));
+	if (shape != PRIMITIVE)
+		TS_TRY(refuse_words_of_primitives(self, sim));
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
 	TS_TRY(ts_wall_find(self, sim, shapes[shape].shape, geometry_of(self, shape)));
 	TS_TRY(init_exact(self, sim));

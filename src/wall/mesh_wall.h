@@ -52,6 +52,13 @@ struct ts_mesh_neighbor {
 	double check_travel; /* minimum over its contacts; -INFINITY: one touches */
 };
 
+/* A particle with several contacts within one contact area; see mesh_crowd.h. */
+struct ts_mesh_crowd {
+	size_t contacts; /* 0: none noted */
+	int32_t tag, mesh;
+	bool told;
+};
+
 struct ts_mesh_wall {
 	bool given;	       /* the word `mesh` */
 	int64_t count;	       /* n_meshes; INT64_MIN: not given */
@@ -64,6 +71,7 @@ struct ts_mesh_wall {
 	struct ts_mesh_neighbor *neighbor; /* [nneighbors] */
 	size_t nneighbors, near_capacity, place_capacity, neighbor_capacity;
 	double length[3]; /* of the box at the last force computation */
+	struct ts_mesh_crowd crowd;
 };
 
 /* History values of a contact with a mesh besides those of its law: 1 if the contact exists, else 0. */

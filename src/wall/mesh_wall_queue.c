@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "mesh/mesh_distance.h"
+#include "wall/mesh_crowd.h"
 #include "wall/mesh_stick.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
@@ -163,7 +164,7 @@ static void compute_neighbor(const struct force_task *task, struct ts_wall_queue
 {
 	struct ts_wall_contacts *c = &task->w->contacts;
 	struct ts_mesh_near *near = task->mw->near;
-	size_t end = v->first + v->n;
+	size_t end = v->first + v->n, touches = 0;
 
 	if (!update_travel(task, v))
 		return;
@@ -178,8 +179,11 @@ static void compute_neighbor(const struct force_task *task, struct ts_wall_queue
 	for (size_t k = v->first; k < end; k++) {
 		if (!near[k].touches)
 			ts_wall_contact_end(c, k);
+		touches += near[k].touches;
 		v->check_travel = fmin(v->check_travel, near[k].check_travel);
 	}
+	if (touches >= TS_MESH_CROWD && !q->long_ranged && !task->mw->crowd.told)
+		ts_mesh_crowd_look(task->sim, task->mw, v);
 }
 
 /* Prefetches the data that the computation of particle `v` will read. */
@@ -220,5 +224,6 @@ enum ts_status ts_mesh_wall_enqueue_contacts(struct ts_instance *self, struct ts
 	/* a contact costs as much as about 4 particles of simple loops */
 	ts_parallel(ts_team(sim, 16 * w->contacts.n), mw->nneighbors, compute_range, &task);
 	ts_wall_finish(w);
+	ts_mesh_crowd_tell(self, sim, mw);
 	return ts_coincide_wall(sim, w);
 }

@@ -67,6 +67,11 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim, st
 		struct ts_mesh_surface *surface;
 
 		TS_TRY(ts_mesh_surface_require(sim, name, &surface));
+		for (size_t j = 0; j < k; j++)
+			if (mw->mesh[j].surface == surface)
+				return ts_fail(&sim->error, TS_SYNTAX, &name->place,
+					       "fix wall/gran: mesh %s is named twice, and would act twice",
+					       name->text);
 		same = same && part->surface == surface && part->first == first;
 		*part = (struct ts_mesh_part_of_wall){ .surface = surface, .first = first };
 		part->by = ts_sim_find(sim, TS_KIND_FIX, name->text);
