@@ -51,11 +51,22 @@ static void corner_velocity(const struct conveyor *c, const struct ts_mesh *m, s
 	turn_into_plane(m->normal[t], v);
 }
 
+static bool is_still(const struct ts_mesh_surface *s)
+{
+	const double *v = s->v[0][0];
+	double most = 0;
+
+	for (size_t k = 0; k < 9 * s->mesh.n; k++)
+		most = fmax(most, fabs(v[k]));
+	return !(most > 0);
+}
+
 /* surface_vel, surface_ang_vel: the surface moves in its own plane like a conveyor belt, the mesh stays in
  * place. */
 static enum ts_status set_surface_velocity(struct ts_instance *self, struct tsim *sim,
 					   const struct ts_mesh_words *w, struct ts_mesh_surface *s)
 {
+	const char *word = w->surface_vel.n ? "surface_vel" : "surface_ang_vel";
 	struct conveyor c = { 0 };
 	double length;
 
@@ -79,6 +90,11 @@ static enum ts_status set_surface_velocity(struct ts_instance *self, struct tsim
 		for (int k = 0; k < 3; k++)
 			corner_velocity(&c, &s->mesh, t, k, s->v[t][k]);
 	s->belt = true;
+	if (is_still(s) && (ts_norm(c.velocity) > 0 || fabs(c.omega) > 0))
+		ts_warn(&sim->log, ts_instance_word(self, word),
+			"fix %s: %s is along the normals of all triangles of mesh %s: its surface does not "
+			"move",
+			self->style->name, word, self->id);
 	return TS_OK;
 }
 

@@ -61,6 +61,10 @@ fix cad all $plate
 $wall
 dump d all mesh/vtk 1 x_*.vtk f_cad[9] cad" 'the last is [6]'
 
+prints "$box
+fix cad all $plate surface_vel 0 0 1
+print ready" '*its surface does not move' ready
+
 # ---- a mesh goes on from where it is with another velocity or period, in a continuation as in one script
 mover() {
 	echo "fix cad all $plate reference_point 0.1 0 0
