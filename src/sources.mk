@@ -122,6 +122,8 @@ library_sources = \
 	src/base/quotes.h \
 	src/base/sandbox.c \
 	src/base/sandbox.h \
+	src/base/script_folders.c \
+	src/base/script_folders.h \
 	src/base/shared_buffer.c \
 	src/base/shared_buffer.h \
 	src/base/sort.c \

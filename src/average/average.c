@@ -51,8 +51,19 @@ enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, str
 	return TS_OK;
 }
 
+/* Whether the clock is not where the last step has left it: it has passed the next sample, or that comes later than the next
+ * average. Frames of rerun and read_dump set it. */
+static bool has_clock_jumped(const struct ts_average *a, int64_t step)
+{
+	return step > a->next || a->next > first_sample_step(a, step + 1);
+}
+
 bool ts_average_due(struct ts_average *a, const struct tsim *sim)
 {
+	if (has_clock_jumped(a, sim->clock.step)) {
+		a->samples = 0;
+		a->next = first_sample_step(a, sim->clock.step);
+	}
 	if (sim->clock.step != a->next)
 		return false;
 	for (size_t k = 0; a->samples == 0 && k < a->n; k++)
@@ -62,7 +73,9 @@ bool ts_average_due(struct ts_average *a, const struct tsim *sim)
 
 bool ts_average_waits(const struct ts_instance *self, const struct tsim *sim)
 {
-	return sim->clock.step == ((const struct ts_average *)self->state)->next;
+	const struct ts_average *a = self->state;
+
+	return sim->clock.step == a->next || has_clock_jumped(a, sim->clock.step);
 }
 
 int64_t ts_average_until(const struct ts_average *a, const struct tsim *sim)

@@ -12,6 +12,7 @@
 
 #include "base/alloc.h"
 #include "base/files_peers.h"
+#include "base/script_folders.h"
 
 #include "base/banned.h"
 
@@ -447,7 +448,8 @@ void *ts_files_open_gz_of(struct ts_files *files, const char *path, const char *
 	struct ts_str beside = { 0 };
 	void *file = ts_files_open_gz(files, path);
 
-	if (!file && errno == ENOENT && script && ts_files_beside(&beside, script, path) && !beside.failed) {
+	if (!file && errno == ENOENT && script && ts_files_beside(files, &beside, script, path) &&
+	    !beside.failed) {
 		file = ts_files_open_gz(files, ts_str_text(&beside));
 		if (!file)
 			errno = ENOENT;
@@ -601,6 +603,7 @@ int ts_files_chdir(struct ts_files *files, const char *folder)
 	struct entry e;
 	int result, at = -1;
 
+	ts_files_keep_script_folders(files);
 	if (!ts_files_closed(files)) {
 		result = chdir(folder);
 		return ts_peers(files) ? ts_peers_agree(files->peers, "chdir", result) : result;
@@ -697,16 +700,6 @@ void ts_files_release(struct ts_files *files)
 		ts_free(files->root[k].path);
 	}
 	ts_free(files->own);
+	ts_files_forget_scripts(files);
 	*files = (struct ts_files){ 0 };
-}
-
-bool ts_files_beside(struct ts_str *out, const char *file, const char *path)
-{
-	const char *slash = *path == '/' ? NULL : strrchr(file, '/');
-
-	if (slash) {
-		ts_str_add_n(out, file, (size_t)(slash + 1 - file));
-		ts_str_add(out, path);
-	}
-	return slash != NULL;
 }

@@ -43,6 +43,8 @@ struct ts_files {
 	char why[512];			    /* reason of the last refusal */
 	const struct ts_files_peers *peers; /* NULL: this process is alone */
 	volatile const int *stop;	    /* not 0: long reads are to be aborted; NULL: never */
+	struct ts_script_folder *script;    /* [nscripts], those opened so far; base/script_folders.h */
+	size_t nscripts, script_capacity;
 };
 
 /* Admits a folder in the sandbox; -1 and errno if it does not exist. */
@@ -88,8 +90,9 @@ double ts_files_free_space(struct ts_files *files, const char *path); /* bytes; 
 int ts_files_resolve(const char *path, struct ts_str *out);
 /* The same, but a link as the last component is not followed. */
 int ts_files_resolve_name(const char *path, struct ts_str *out);
-/* Adds the path in the folder of `file`; false if it is absolute, or `file` is in the working folder. */
-bool ts_files_beside(struct ts_str *out, const char *file, const char *path);
+/* Adds the path in the folder of the script `file`; false if it is absolute, or `file` is in the working folder. `files` may be
+ * NULL: the working folder has not changed. */
+bool ts_files_beside(const struct ts_files *files, struct ts_str *out, const char *file, const char *path);
 bool ts_files_below(const char *path, const char *folder);
 
 #endif

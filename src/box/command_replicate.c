@@ -10,6 +10,7 @@
 #include "particle/columns.h"
 #include "particle/exchange.h"
 #include "particle/identity.h"
+#include "particle/molecule.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -23,9 +24,10 @@ struct state {
 struct before {
 	const struct state *state;
 	struct ts_box box;
-	size_t n;	 /* number of particles */
-	int32_t max_tag; /* copy k of the particle t has the identity t + k max_tag */
-	double (*x)[3];	 /* unwrapped positions */
+	size_t n;	  /* number of particles */
+	int32_t max_tag;  /* copy k of the particle t has the identity t + k max_tag */
+	double molecules; /* largest number of a molecule; those above 0 are numbered on in the same way */
+	double (*x)[3];	  /* unwrapped positions */
 };
 
 static int64_t copies(const struct state *s)
@@ -85,6 +87,7 @@ static enum ts_status store_positions(struct tsim *sim, struct before *b)
 	b->box = sim->domain->box;
 	b->n = p->n;
 	b->max_tag = p->max_tag;
+	b->molecules = ts_particles_most_molecule(sim);
 	for (size_t i = 0; i < p->n; i++)
 		for (int d = 0; d < 3; d++)
 			b->x[i][d] = p->x[i][d] + p->image[i][d] * ts_box_length(&b->box, d);
@@ -107,9 +110,11 @@ static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
 {
 	struct ts_particles *p = sim->particles;
 	int64_t total = copies(b->state);
+	double *molecule;
 	size_t first;
 
 	TS_TRY(ts_particles_add(sim, (size_t)(total - 1) * b->n, &first));
+	molecule = ts_particles_molecules_to_set(p);
 	for (int64_t k = 0; k < total && b->n; k++) {
 		size_t row = (size_t)k * b->n;
 		int64_t at[3];
@@ -119,6 +124,8 @@ static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
 			copy_columns(p, 0, b->n, row);
 		for (size_t i = 0; i < b->n; i++) {
 			p->tag[row + i] = (int32_t)(p->tag[i] + k * b->max_tag);
+			if (molecule && molecule[i] > 0)
+				molecule[row + i] = molecule[i] + (double)k * b->molecules;
 			for (int d = 0; d < 3; d++) {
 				p->x[row + i][d] = b->x[i][d] + (double)at[d] * ts_box_length(&b->box, d);
 				p->image[row + i][d] = 0;
@@ -245,7 +252,7 @@ const struct ts_command_style ts_command_replicate = {
 		.summary = "replicates the box with all particles and bonds",
 		.doc = "All properties of the particles are copied, group membership included. Copy k of the "
 		       "particle with ID t gets the ID t + k N, where N is the largest ID before and k "
-		       "numbers the copies with x varying fastest. Bonds connect corresponding neighbours, "
+		       "numbers the copies with x varying fastest; molecules above 0 are numbered on in the same way. Bonds connect corresponding neighbours, "
 		       "also across periodic faces: a periodic block of bonded particles becomes a larger "
 		       "periodic block without unbonded interfaces.\n\n"
 		       "Copies start without contact history. Fixes that store initial positions of particles "

@@ -77,18 +77,19 @@ struct ts_draws {
 };
 
 struct ts_clock {
-	int64_t step;	      /* the step counter                                    */
-	int64_t first_step;   /* of the current run                                  */
-	int64_t last_step;    /* of the current run                                  */
-	int64_t ramp_first;   /* steps at which quantities that vary over a run begin */
-	int64_t ramp_last;    /* and end: of this run, or `run N start S stop E`     */
-	int64_t command_step; /* step at which the last run command began           */
-	int64_t goal;	      /* last step of the last run command                   */
-	int64_t resets;	      /* of the counter, by reset_timestep                   */
-	int64_t base_step;    /* time = base_time + (step - base_step) dt: one       */
-	double base_time;     /* rounding for a constant dt, not one in each step; [time] */
-	double dt;	      /* [time] */
-	double wall_start;    /* ts_clock() at the start of the current run, s */
+	int64_t step;		/* the step counter                                    */
+	int64_t first_step;	/* of the current run                                  */
+	int64_t last_step;	/* of the current run                                  */
+	int64_t elapsed_before; /* steps that `elapsed` counts before first_step: of `rerun start`, else 0 */
+	int64_t ramp_first;	/* steps at which quantities that vary over a run begin */
+	int64_t ramp_last;	/* and end: of this run, or `run N start S stop E`     */
+	int64_t command_step;	/* step at which the last run command began           */
+	int64_t goal;		/* last step of the last run command                   */
+	int64_t resets;		/* of the counter, by reset_timestep                   */
+	int64_t base_step;	/* time = base_time + (step - base_step) dt: one       */
+	double base_time;	/* rounding for a constant dt, not one in each step; [time] */
+	double dt;		/* [time] */
+	double wall_start;	/* ts_clock() at the start of the current run, s */
 };
 
 /* Counter of the first of `each` random numbers in this step; after reset_timestep those of steps of the same number differ. */

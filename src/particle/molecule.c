@@ -1,5 +1,8 @@
 #include "particle/molecule.h"
 
+#include <math.h>
+
+#include "core/ranks.h"
 #include "particle/quantity.h"
 
 #include "base/banned.h"
@@ -15,6 +18,17 @@ double *ts_particles_molecules_to_set(struct ts_particles *p)
 const double *ts_particles_molecules(const struct ts_particles *p)
 {
 	return ts_particles_molecules_to_set((struct ts_particles *)p);
+}
+
+double ts_particles_most_molecule(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const double *molecule = ts_particles_molecules(p);
+	double most = 0;
+
+	for (size_t i = 0; molecule && i < p->n; i++)
+		most = fmax(most, molecule[i]);
+	return ts_ranks_most(sim, most);
 }
 
 enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what, const struct ts_place *where)

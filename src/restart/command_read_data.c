@@ -247,6 +247,17 @@ static enum ts_status register_sections(struct tsim *sim, struct read_data *c, s
 	return TS_OK;
 }
 
+/* Molecules above 0, if they are among the columns, get the offset. */
+static void set_columns(struct ts_particles *p, const struct ts_user_columns *columns, size_t row,
+			const double *numbers, double molecule_offset)
+{
+	double *molecule = ts_particles_molecules_to_set(p), before = molecule ? molecule[row] : 0;
+
+	ts_user_columns_set(p, columns, row, numbers);
+	if (molecule && molecule[row] > 0 && molecule[row] != before)
+		molecule[row] += molecule_offset;
+}
+
 /* Assigns the numbers of these sections to the columns of the fixes property/atom. */
 static enum ts_status assign_sections(struct tsim *sim, struct read_data *c, const struct ts_data *data)
 {
@@ -262,8 +273,8 @@ static enum ts_status assign_sections(struct tsim *sim, struct read_data *c, con
 			const double *line = s->value + j * (s->width + 1);
 			int32_t tag = (int32_t)(line[0] + (double)c->options.tag_offset);
 
-			ts_user_columns_set(sim->particles, columns, (size_t)ts_identity_row(&map, tag),
-					    line + 1);
+			set_columns(sim->particles, columns, (size_t)ts_identity_row(&map, tag), line + 1,
+				    c->options.molecule_offset);
 		}
 		ts_log(&sim->log, "  reading %s ...\n  %zu lines\n", s->title, s->n);
 	}
@@ -303,7 +314,8 @@ static const struct ts_arg args[] = {
 	TS_WORD("file", struct read_data, file, .flags = TS_POSITIONAL,
 		.help = "name of the file; it may be compressed with gzip"),
 	TS_SOME_KEYWORD("add", struct read_data, add, TS_NAMED,
-			.help = "add to existing particles: append (ids follow the largest existing one), "
+			.help = "add to existing particles: append (ids and molecules follow the largest "
+				"existing ones), "
 				"merge (ids as in the file), a number that is added to the ids, or nothing: "
 				"as merge, and the box does not change"),
 	{ .name = "offset",

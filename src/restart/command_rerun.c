@@ -53,7 +53,10 @@ static enum ts_status apply_and_compute(struct tsim *sim, struct rerun *c, struc
 
 	sim->clock.step = f->step;
 	if (first) {
-		sim->clock.first_step = c->start >= 0 ? c->start : f->step;
+		sim->clock.first_step = f->step;
+		sim->clock.ramp_first = c->start >= 0 ? c->start : f->step;
+		sim->clock.ramp_last = sim->clock.last_step;
+		sim->clock.elapsed_before = f->step - sim->clock.ramp_first;
 		sim->clock.command_step = sim->clock.goal = f->step;
 		sim->clock.wall_start = ts_clock();
 	}
@@ -116,6 +119,7 @@ static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_p
 		status = ts_plan_stage(plan, sim, TS_STAGE_FINISH);
 	sim->run.inside = sim->run.in_setup = sim->run.rebuild = false;
 	sim->clock.last_step = sim->clock.step;
+	sim->clock.elapsed_before = 0;
 	sim->run.fingerprint = 0; /* the next run computes all forces again */
 	return status == TS_OK ? ts_plan_stopped(sim) : status;
 }
@@ -148,7 +152,7 @@ static const struct ts_arg args[] = {
 	TS_INT("skip", struct rerun, skip, .fallback = "1", .range = TS_POSITIVE,
 	       .help = "use every N-th of the remaining frames, starting with the first"),
 	TS_INT("start", struct rerun, start, .fallback = "-1", .range = TS_WITHIN, .lo = -1, .hi = 9e18,
-	       .help = "step from which `elapsed` counts; -1: that of the first frame"),
+	       .help = "step from which `elapsed` and ramp() count; -1: that of the first frame"),
 	TS_INT("stop", struct rerun, stop, .fallback = "-1", .range = TS_WITHIN, .lo = -1, .hi = 9e18,
 	       .help = "step that is regarded as the last; -1: none"),
 	{ .name = "dump",

@@ -101,12 +101,13 @@ enum ts_data_add { TS_DATA_NEW, TS_DATA_APPEND, TS_DATA_MERGE };
 struct ts_data_options {
 	int add; /* enum ts_data_add */
 	int64_t type_offset, bond_type_offset, tag_offset;
+	double molecule_offset; /* for molecules above 0 */
 	int64_t extra_types, extra_bond_types;
 	bool keep_box;	 /* an existing box is not extended */
 	double shift[3]; /* added to positions and to the box (length) */
 	int group;	 /* index; 0: all */
 };
-/* With TS_DATA_APPEND adds the largest present id to options->tag_offset. */
+/* With TS_DATA_APPEND adds the largest present id to options->tag_offset, and sets molecule_offset to the largest molecule. */
 void ts_data_append(const struct tsim *sim, struct ts_data_options *options);
 /* Finds all errors in what would be entered. */
 enum ts_status ts_data_check(struct tsim *sim, const struct ts_data *data,

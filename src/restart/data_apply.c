@@ -181,7 +181,8 @@ static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
 		set_atom(sim, data, &data->atom[k], o, first + k);
 	molecule = ts_particles_molecules_to_set(p);
 	for (size_t k = 0; molecule && k < data->n; k++)
-		molecule[first + k] = data->atom[k].molecule;
+		molecule[first + k] =
+			data->atom[k].molecule + (data->atom[k].molecule > 0 ? o->molecule_offset : 0);
 	p->max_tag = (int32_t)ts_ranks_most(sim, p->max_tag);
 	ts_particles_inverse_mass(p);
 	return TS_OK;
@@ -212,8 +213,10 @@ static struct wanted find_wanted(const struct tsim *sim, const struct ts_data *d
 
 void ts_data_append(const struct tsim *sim, struct ts_data_options *o)
 {
-	if (o->add == TS_DATA_APPEND)
-		o->tag_offset += sim->particles->max_tag;
+	if (o->add != TS_DATA_APPEND)
+		return;
+	o->tag_offset += sim->particles->max_tag;
+	o->molecule_offset = ts_particles_most_molecule(sim);
 }
 
 enum ts_status ts_data_check(struct tsim *sim, const struct ts_data *data, const struct ts_data_options *o)

@@ -133,8 +133,10 @@ static enum ts_status add_missing(struct frame_import *u)
 	for (size_t r = 0; r < u->f->n; r++) {
 		double kind = type >= 0 ? frame_value(u, r, type) : 1;
 
-		if (u->row[r] >= 0)
+		if (u->row[r] >= 0) { /* it stays as it is with `replace no` */
+			u->row[r] = u->use->replace ? u->row[r] : -1;
 			continue;
+		}
 		if (!(kind >= 1 && kind <= p->ntypes && kind == floor(kind)))
 			return ts_fail(&u->sim->error, TS_RANGE, u->where,
 				       "'%s', step %lld: row %zu has the type %g, types go from 1 to %d",
@@ -191,13 +193,25 @@ static bool has_field(const struct frame_import *u, const char *name)
 	return has;
 }
 
+/* Whether the field is the image flag along an axis whose positions are read, and are unwrapped: they contain it. */
+static bool is_image_of_unwrapped(const struct frame_import *u, const char *field)
+{
+	bool scaled, unwrapped = false;
+
+	if (field[0] != 'i' || field[1] < 'x' || field[1] > 'z' || field[2] || !has_field(u, field + 1))
+		return false;
+	find_column(u, field + 1, &scaled, &unwrapped);
+	return unwrapped;
+}
+
 static enum ts_status apply_field(struct frame_import *u, const struct ts_word *field)
 {
-	const char flag[] = { 'i', field->text[0], '\0' };
 	int dim = field->text[0] - 'x';
 	bool scaled, unwrapped;
 	int column = find_column(u, field->text, &scaled, &unwrapped);
 
+	if (is_image_of_unwrapped(u, field->text))
+		return TS_OK;
 	if (column < 0)
 		return ts_fail(&u->sim->error, TS_UNKNOWN, &field->place,
 			       "'%s', step %lld: there is no column for '%s'", u->f->lines.file,
@@ -215,7 +229,7 @@ static enum ts_status apply_field(struct frame_import *u, const struct ts_word *
 		u->value[u->n] = scaled ? u->f->lo[dim] + value * (u->f->hi[dim] - u->f->lo[dim]) : value;
 		u->target[u->n++] = u->row[r];
 	}
-	if (unwrapped && !has_field(u, flag))
+	if (unwrapped)
 		clear_images(u, dim);
 	return ts_particles_assign(u->sim, field->text, u->target, u->value, u->n);
 }
@@ -249,8 +263,10 @@ static enum ts_status apply_frame(struct frame_import *u)
 		TS_TRY(add_missing(u));
 	if (!u->use->replace && !u->use->add)
 		return TS_OK;
-	for (size_t k = 0; k < u->use->fields.n; k++)
-		TS_TRY(apply_field(u, &u->use->fields.word[k]));
+	for (int masses = 0; masses < 2; masses++) /* last: a radius or density sets the mass, too */
+		for (size_t k = 0; k < u->use->fields.n; k++)
+			if (ts_streq(u->use->fields.word[k].text, "mass") == masses)
+				TS_TRY(apply_field(u, &u->use->fields.word[k]));
 	return TS_OK;
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/input_limit.h"
+#include "base/script_folders.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -24,7 +25,7 @@ static enum ts_status open_beside(struct ts_source *source, struct tsim *sim, co
 	struct ts_str beside = { 0 };
 	enum ts_status status;
 
-	if (!where || !where->file || !ts_files_beside(&beside, where->file, path))
+	if (!where || !where->file || !ts_files_beside(&sim->files, &beside, where->file, path))
 		return TS_OK;
 	if (beside.failed)
 		return ts_nomem(&sim->error);
@@ -46,7 +47,7 @@ enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const 
 	if (!source->stream)
 		return ts_fail(&sim->error, TS_IO, where, "cannot open script '%s': %s", path,
 			       ts_files_why(&sim->files));
-	return TS_OK;
+	return ts_files_note_script(&sim->files, source->name) ? TS_OK : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE *stream, const char *name)

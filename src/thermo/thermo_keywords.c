@@ -26,7 +26,13 @@ static enum ts_status step(struct tsim *sim, double *out)
 
 static enum ts_status elapsed(struct tsim *sim, double *out)
 {
-	*out = (double)(sim->clock.step - sim->clock.first_step);
+	*out = (double)(sim->clock.step - sim->clock.first_step + sim->clock.elapsed_before);
+	return TS_OK;
+}
+
+static enum ts_status elaplong(struct tsim *sim, double *out)
+{
+	*out = (double)(sim->clock.step - sim->clock.ramp_first);
 	return TS_OK;
 }
 
@@ -302,7 +308,7 @@ BOX_NUMBERS(2, zlo, zhi, lz)
 const struct ts_keyword ts_thermo_keywords[] = {
 	{ "step", "Step", "", "step counter", TS_KEYWORD_INTEGER | TS_KEYWORD_CLOCK, step },
 	{ "elapsed", "Elapsed", "", "steps since the start of the run", TS_KEYWORD_INTEGER | TS_KEYWORD_CLOCK, elapsed },
-	{ "elaplong", "Elaplong", "", "steps since the start of the run", TS_KEYWORD_INTEGER | TS_KEYWORD_CLOCK, elapsed },
+	{ "elaplong", "Elaplong", "", "steps since the start of the run, or since S of `run N start S`", TS_KEYWORD_INTEGER | TS_KEYWORD_CLOCK, elaplong },
 	{ "part", "Part", "", "number of the partition: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
 	{ "time", "Time", "time", "simulated time", TS_KEYWORD_CLOCK, time_now },
 	{ "dt", "Dt", "time", "time step", TS_KEYWORD_CLOCK, dt },

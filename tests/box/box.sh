@@ -54,6 +54,19 @@ replicate 2 2 1
 print \"copy \$(count(all)) \$(count(second)) \$(x[8]:%.12g) \$(y[8]:%.12g) \$(z[8]:%.12g) \$(type[8])\"" \
 	'copy 8 4 1.2 0.3 0.4 2'
 
+# molecules of the copies, and of particles that are appended: those above 0 are numbered on
+molecules="$two
+fix m all property/atom mol
+set group all mol 0
+set atom 2 mol 3"
+prints "$molecules
+replicate 2 1 2
+print \"molecules \$(mol[2]) \$(mol[4]) \$(mol[6]) \$(mol[8]) \$(mol[3])\"" 'molecules 3 6 9 12 0'
+prints "$molecules
+write_data m.data
+read_data m.data add append shift 0 0 0 fix m NULL Molecules
+print \"molecules \$(mol[2]) \$(mol[4]) \$(mol[3])\"" 'molecules 3 6 0'
+
 # A periodic block of bonded particles, and the same one made larger: equal motion.
 block='units si
 boundary p p p

@@ -51,6 +51,22 @@ steps() { # WHAT WORDS STEPS...
 steps 'first and last' 'first 30 last 80' 40:0 60:20 80:40
 steps 'every' 'every 40' 0:0 40:40 80:80
 steps 'skip' 'skip 2 start 0' 0:0 40:40 80:80
+steps 'start before the first frame' 'first 40 start 20' 40:20 60:40 80:60 100:80
+shows Elapsed some.out
+report 'start: the head of the table' $? some.out
+
+# Averages follow the frames, which begin behind the first sample that the fix waits for, or before it, behind a run.
+for begin in '' 'run 60'; do
+	printf '%s\n' "$scene" "$begin" 'variable e equal ke' 'fix m all ave/time 20 1 20 v_e file mean' \
+		'fix c all ave/time 10 2 20 v_e file pairs' "$begin" "rerun whole.dump first 40 dump x y z vx vy vz" >in.mean
+	"$TSIM" -in in.mean -log none >mean.out 2>&1
+	report "rerun with averages ($begin)" $? mean.out
+	awk '!/^#/ && NF == 2' mean | tail -n 4 >mean.rows
+	rows mean.out | awk '$1 >= 40 { print $1, $4 }' | tail -n 4 >mean.want
+	awk 'NR == FNR { want[$1] = $2; next } { n++; d = $2 / want[$1] - 1; bad += !(d < 1e-5 && -d < 1e-5) } END { exit bad || n != 4 }' \
+		mean.want mean.rows
+	report "averages of the frames ($begin)" $? mean.rows mean.want
+done
 
 printf '%s\n' "$scene" 'read_dump whole.dump 60 x y z vx vy vz
 print "step $(step) ke $(ke:%.8g)"
@@ -173,4 +189,40 @@ wrong 'field that cannot be' "$small" 'read_dump bad.dump 0 vol' "'vol'"
 wrong 'no file' '' 'rerun nowhere.dump dump x y z' "cannot open 'nowhere.dump'"
 wrong 'no series' '' 'rerun nowhere.*.dump dump x y z' "no file with a number for the * of 'nowhere.*.dump'"
 wrong 'nothing taken' '' 'rerun bad.dump first 3' "keyword 'dump' is missing"
+# Unwrapped positions contain the images: read beside them they do not count twice.
+printf '%s\n' "$scene" 'unfix fall' 'velocity all set 900 300 0 units box' 'dump d all custom 5 far.dump id type xu yu zu ix iy iz' \
+	'dump_modify d format float %.17g' 'compute m all msd' 'run 0' 'print "moved $(c_m[4])"' 'run 20' 'print "moved $(c_m[4])"' >in.far
+sed -i 's/^pair_style.*/pair_style none/; /^pair_coeff/d' in.far
+"$TSIM" -in in.far -log none >far.out 2>&1
+report 'a run far away' $? far.out
+for words in 'x y z ix iy iz' 'ix iy iz x y z' 'x y z'; do
+	printf '%s\n' "$scene" 'compute m all msd' 'run 0' "read_dump far.dump 20 $words" 'print "moved $(c_m[4])"' |
+		sed 's/^pair_style.*/pair_style none/; /^pair_coeff/d' >in.near
+	"$TSIM" -in in.near -log none >near.out 2>&1
+	grep ^moved far.out | tail -n 1 >far.moved
+	grep ^moved near.out >near.moved
+	awk 'NR == FNR { far = $2; next } { d = $2 / far - 1; ok = d < 1e-9 && -d < 1e-9 } END { exit !ok }' far.moved near.moved
+	report "read_dump $words of unwrapped positions" $? far.moved near.out
+done
+
+# Masses are those of the file, in any order of the words; `replace no` leaves what is there.
+printf '%s\n' 'ITEM: TIMESTEP' 50 'ITEM: NUMBER OF ATOMS' 2 'ITEM: BOX BOUNDS pp pp ff' '0 1' '0 1' '0 1' \
+	'ITEM: ATOMS id type x y z radius mass' '1 1 0.25 0.5 0.5 0.1 7' '3 1 0.75 0.5 0.5 0.1 7' >two.dump
+single='units si
+boundary p p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+set group all diameter 0.1 density 2500'
+for words in 'radius mass' 'mass radius'; do
+	prints "$single
+read_dump two.dump 50 x y z $words
+print \"mass \$(mass(all)) radius \$(radius[1])\"" 'mass 7 radius 0.10000000000000000555'
+done
+prints "$single
+read_dump two.dump 50 x y z replace no add yes
+print \"\$(count(all)) particles, x \$(x[1]) \$(x[3])\"" '2 particles, x 0.5 0.75'
+prints "$single
+read_dump two.dump 50 x y z add yes
+print \"\$(count(all)) particles, x \$(x[1]) \$(x[3])\"" '2 particles, x 0.25 0.75'
 finish

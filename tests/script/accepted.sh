@@ -250,4 +250,16 @@ print \"is two \$(c_s[2]) 1.5\"
 print \"is other \$(c_s[3]) 1.5\"
 print \"is equal \$(v_e) 0.8\""
 prints 'if "1 == 2" "then" "print no" "elif" "2 == 2" "print yes" "else" "print neither"' yes
+# Files are looked for in the folder of the script, however it was named, also when the working folder has changed.
+mkdir -p beside/run/deep beside/deep
+echo 'print "mine ${k}"' >beside/part.in
+printf '%s\n' 'variable k loop 3' 'label again' 'if "${k} == 2" then "shell cd deep"' 'include part.in' 'next k' \
+	'jump SELF again' 'print end' >beside/main.in
+(cd beside/run && "$TSIM" -in ../main.in -log none) >out 2>&1
+[ "$(grep -c '^mine' out)" = 3 ] && grep -q '^end' out
+report 'include after shell cd' $? out
+printf '%s\n' 'variable k equal 1' 'shell cd deep' 'include part.in' >beside/main.in
+(cd beside && "$TSIM" -in main.in -log none) >out 2>&1
+grep -q '^mine' out
+report 'include after shell cd, of a script in the working folder' $? out
 finish
