@@ -90,9 +90,6 @@ double ts_files_free_space(struct ts_files *files, const char *path); /* bytes; 
 int ts_files_resolve(const char *path, struct ts_str *out);
 /* The same, but a link as the last component is not followed. */
 int ts_files_resolve_name(const char *path, struct ts_str *out);
-/* Adds the path in the folder of the script `file`; false if it is absolute, or `file` is in the working folder. `files` may be
- * NULL: the working folder has not changed. */
-bool ts_files_beside(const struct ts_files *files, struct ts_str *out, const char *file, const char *path);
 bool ts_files_below(const char *path, const char *folder);
 
 #endif

@@ -1,6 +1,6 @@
 #include "base/script_folders.h"
 
-#include <stdlib.h>
+#include <limits.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -27,15 +27,14 @@ bool ts_files_note_script(struct ts_files *files, const char *name)
 static char *absolute_folder(const char *name)
 {
 	const char *slash = strrchr(name, '/');
-	char *here = getcwd(NULL, 0), *folder = NULL;
+	char here[PATH_MAX], *folder = NULL;
 	struct ts_str path = { 0 };
 
-	if (here) {
+	if (getcwd(here, sizeof here)) {
 		ts_str_addf(&path, "%s/", name[0] == '/' ? "" : here);
 		ts_str_add_n(&path, name, slash ? (size_t)(slash + 1 - name) : 0);
 		folder = path.failed ? NULL : ts_strdup(ts_str_text(&path));
 	}
-	free(here);
 	ts_str_release(&path);
 	return folder;
 }

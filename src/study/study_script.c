@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/hash.h"
+#include "base/script_folders.h"
 #include "io/lines.h"
 
 #include "base/banned.h"
@@ -55,7 +56,8 @@ static enum ts_status read_included(struct reading *r, const char *by, const cha
 	r->depth++;
 	if (is_file(r, path))
 		status = read_file(r, path);
-	else if (ts_files_beside(&r->sim->files, &beside, by, path) && !beside.failed && is_file(r, beside.text))
+	else if (ts_files_beside(&r->sim->files, &beside, by, path) && !beside.failed &&
+		 is_file(r, beside.text))
 		status = read_file(r, beside.text);
 	else if (beside.failed)
 		status = ts_nomem(&r->sim->error);
