@@ -26,16 +26,19 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* The tangential force exerts a torque of the same direction on both particles, each with its own lever arm.
- */
+/* The tangential force exerts a torque of the same direction on both particles, each with its own lever arm; that of rolling
+ * friction is opposite. */
 static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	size_t slot = ts_contact_kept(list, v->row);
 
-	for (int k = 0; list->parts > 1 && k < 3; k++)
+	for (int k = 0; list->parts > 1 && k < 3; k++) {
 		f->torque[k] = (sim->particles->radius[v->a] - ts_contact_force(list, slot)[3]) *
 			       ts_contact_tangential_torque(list, slot)[k];
+		if (list->parts > 2)
+			f->torque[k] += v->sign * ts_contact_rolling_torque(list, slot)[k];
+	}
 }
 
 /* Conductance of the last step times the present temperature difference. */
@@ -74,7 +77,8 @@ static void recompute_force(const struct tsim *sim, const struct ts_contact_view
 		f->force[k] = v->sign * acting.force[k];
 		if (list->parts > 1)
 			f->torque[k] =
-				(p->radius[v->a] - ts_granular_arm_reduction(model, &t)) * acting.turn[k];
+				(p->radius[v->a] - ts_granular_arm_reduction(model, &t)) * acting.turn[k] +
+				v->sign * acting.roll[k];
 	}
 }
 
@@ -150,8 +154,8 @@ const struct ts_style ts_compute_pair_gran_local = {
 	       "the smaller ID is the first. The columns follow in this order, whatever the order of the "
 	       "words: pos, positions of both (6); vel, velocities of both (6); id, both IDs, and 1 if the "
 	       "contact is across a periodic face, else 0 (3); force on the first (3); its normal and "
-	       "tangential parts force_normal (3) and force_tangential (3); torque on the first by the "
-	       "tangential force, about its centre and without rolling friction (3); history, the history "
+	       "tangential parts force_normal (3) and force_tangential (3); torque on the first about "
+	       "its centre, by the tangential force and rolling friction (3); history, the history "
 	       "numbers of the contact law; contactArea, area of the circle in which the spheres intersect "
 	       "(1); delta, the overlap (1); contactPoint, which divides the line of centres in the ratio of "
 	       "the radii (3); heatFlux, heat per time that fix heat/gran conducts into the first (1). "

@@ -68,7 +68,7 @@ static void contact_facts(const struct tsim *sim, const struct ts_wall *w, size_
 		f->vel[d] = r->velocity[d];
 		f->vel[3 + d] = p->v[i][d];
 		f->force[d] = r->force[d];
-		f->torque[d] = r->torque[d] - r->rolling[d];
+		f->torque[d] = r->torque[d];
 		f->n[d] = distance > 0 ? (p->x[i][d] - r->point[d]) / distance : 0;
 	}
 	f->heat = heat_of_contact(sim, r, i);
@@ -194,7 +194,7 @@ const struct ts_style ts_compute_wall_gran_local = {
 	       "  force              force on the particle (3)\n"
 	       "  force_normal       normal part of the force (3)\n"
 	       "  force_tangential   tangential part of the force (3)\n"
-	       "  torque             torque of the tangential force on the particle (3)\n"
+	       "  torque             torque on the particle, with that of rolling friction (3)\n"
 	       "  history            history of the contact law\n"
 	       "  contactArea        area of the circle in which sphere and plane intersect (1)\n"
 	       "  delta              overlap (1)\n"

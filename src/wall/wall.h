@@ -230,7 +230,7 @@ struct ts_wall_view {
 	struct ts_touch touch;
 };
 void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_wall_view *view);
-/* Force and torque (without the rolling torque) that the law gives for the contact of a report with the
+/* Force and torque (with that of rolling friction) that the law gives for the contact of a report with the
  * present velocities. */
 void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
 		       double torque[3]);

@@ -67,7 +67,7 @@ void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k
 	ts_granular_contact(view.model, view.law, &view.touch, sim->clock.dt, false, memory, &f);
 	for (int d = 0; d < 3; d++) {
 		force[d] = f.force[d];
-		torque[d] = view.touch.arm[0] * f.turn[d];
+		torque[d] = view.touch.arm[0] * f.turn[d] + f.roll[d];
 	}
 }
 

@@ -55,6 +55,32 @@ report 'tsim runs' $? err
 for side in liggghts tsim; do sed 's/ -0 / 0 /g; s/ -0 / 0 /g' $side/t.txt >$side.txt; done
 same 'compute pair/gran/local, as text' liggghts.txt tsim.txt
 
+# torque contains that of rolling friction, of pairs and walls
+for rolling in cdt epsd epsd2; do
+	plate="fix plate all mesh\\/surface file plate.stl type 1\\nfix wall all wall\\/gran model hertz tangential history"
+	plate="$plate rolling_friction $rolling mesh n_meshes 1 meshes plate\\ncompute w all wall\\/gran\\/local id torque"
+	sed -e "s/^pair_style .*/& rolling_friction $rolling/; s/^compute c .*/compute c all pair\/gran\/local id torque/" \
+		-e 's/^pair_coeff.*/&\nfix m5 all property\/global coefficientRollingFriction peratomtypepair 2 0.3 0.2 0.2 0.1\nfix m6 all property\/global coefficientRollingViscousDamping peratomtypepair 2 0.3 0.2 0.2 0.1/' \
+		-e "s/^fix i .*/&\\n$plate/; /^dump [pl]/d" \
+		-e 's/^dump t .*/dump t all local 10 t.txt c_c[1] c_c[2] c_c[3] c_c[4] c_c[5] c_c[6]\ndump w all local 10 w.txt c_w[3] c_w[4] c_w[5] c_w[6]/' \
+		in.contacts >in.rolling
+	for side in liggghts tsim; do
+		printf '%s\n' 'solid a' 'facet normal 0 0 1' 'outer loop' 'vertex 0.005 0.005 0.0091' 'vertex 0.025 0.005 0.0091' 'vertex 0.005 0.025 0.0091' \
+			'endloop' 'endfacet' 'endsolid a' >$side/plate.stl
+	done
+	(cd liggghts && liggghts -in ../in.rolling -log none) >err 2>&1 # without a screen it fails at meshes
+	report "LIGGGHTS runs, $rolling" $? err
+	(cd tsim && "$TSIM" -in ../in.rolling -log none -screen none -legacy 2>../err)
+	report "tsim runs, $rolling" $? err
+	for file in t w; do
+		paste -d' ' liggghts/$file.txt tsim/$file.txt | awk '
+			/e-/ { n++ }
+			{ for (k = 1; k <= NF / 2; k++) { a = $k; b = $(k + NF / 2); d = a - b; bad += d * d > 1e-10 * a * a + 1e-30 } }
+			END { exit bad || n < 4 }'
+		report "torques of $file, $rolling" $? liggghts/$file.txt tsim/$file.txt
+	done
+done
+
 # Arrays of a legacy file; of LIGGGHTS' three lines for each contact the first.
 cat >compare.py <<'END'
 import sys
