@@ -106,5 +106,6 @@ const struct ts_style ts_compute_pair_gran_local_bond = {
 	.family = TS_FAMILY_CONTACTS,
 	.state_size = sizeof(struct state),
 	.values = values,
+	.width = ts_contact_columns_known_width,
 	.init = init,
 };

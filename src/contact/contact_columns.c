@@ -142,6 +142,14 @@ size_t ts_contact_columns_width(const struct ts_contact_columns *c, size_t histo
 	return width;
 }
 
+size_t ts_contact_columns_known_width(const struct ts_instance *self)
+{
+	const struct ts_contact_columns *c = self->state;
+	size_t width = ts_contact_columns_width(c, 0);
+
+	return width == ts_contact_columns_width(c, 1) ? width : 0;
+}
+
 void ts_contact_columns_write(const struct ts_contact_columns *c, size_t history,
 			      const struct ts_contact_facts *facts, double *out)
 {

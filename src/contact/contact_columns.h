@@ -33,6 +33,8 @@ extern const char ts_contact_columns_help[];
 enum ts_status ts_contact_columns_init(struct ts_instance *self, struct tsim *sim);
 /* Number of columns, where the contact law has `history` history numbers. */
 size_t ts_contact_columns_width(const struct ts_contact_columns *columns, size_t history);
+/* Slot `width` of styles whose state begins with the columns; 0 if it depends on the contact law. */
+size_t ts_contact_columns_known_width(const struct ts_instance *self);
 void ts_contact_columns_write(const struct ts_contact_columns *columns, size_t history,
 			      const struct ts_contact_facts *facts, double *out);
 /* Contact area, length^2: of the circle in which two spheres of radii a and b intersect; in which a sphere

@@ -89,6 +89,7 @@ static const struct {
 	{ TS_UNSUPPORTED_QUANTITY, "blockiness*", SHAPES },
 	{ TS_UNSUPPORTED_QUANTITY, "quat*", SHAPES },
 	{ TS_UNSUPPORTED_QUANTITY, "shape*", SHAPES },
+	{ TS_UNSUPPORTED_QUANTITY, "id_multisphere", "use mol, the number of the body" },
 	{ TS_UNSUPPORTED_QUANTITY, "i_cg_level", "several levels of coarse graining are not supported" },
 	{ .of = NULL },
 };

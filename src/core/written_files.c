@@ -54,17 +54,42 @@ static enum ts_status refuse(struct tsim *sim, const struct written *file, const
 		       ts_kind_name(other->style->kind), other->id, TS_FILE_AND_LINE(other->where));
 }
 
-enum ts_status ts_written_files_check(struct tsim *sim)
+static enum ts_status find_files(struct tsim *sim, struct written_files *files)
 {
 	static const enum ts_kind kinds[] = { TS_KIND_FIX, TS_KIND_DUMP };
-	struct written_files files = { 0 };
 	enum ts_status status = TS_OK;
 
 	for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++)
 		for (size_t k = 0; k < sim->instances[kinds[n]].n && status == TS_OK; k++)
-			status = add_files_of(&files, sim->instances[kinds[n]].item[k]);
-	if (status != TS_OK)
-		status = ts_nomem(&sim->error);
+			status = add_files_of(files, sim->instances[kinds[n]].item[k]);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_written_files_allow(struct tsim *sim, const char *what, const char *path,
+				      const struct ts_place *where)
+{
+	struct written_files files = { 0 };
+	enum ts_status status = find_files(sim, &files);
+
+	for (size_t k = 0; k < files.n && status == TS_OK; k++) {
+		const struct written *f = &files.item[k];
+
+		if (ts_streq(f->path, plain(path)))
+			status = ts_fail(&sim->error, TS_STATE, where,
+					 "%s would write to '%s', to which %s %s (%s:%d) writes: it would "
+					 "destroy what that has written; give it a file of its own",
+					 what, f->path, ts_kind_name(f->by->style->kind), f->by->id,
+					 TS_FILE_AND_LINE(f->by->where));
+	}
+	ts_free(files.item);
+	return status;
+}
+
+enum ts_status ts_written_files_check(struct tsim *sim)
+{
+	struct written_files files = { 0 };
+	enum ts_status status = find_files(sim, &files);
+
 	for (size_t b = 1; b < files.n && status == TS_OK; b++)
 		for (size_t a = 0; a < b && status == TS_OK; a++)
 			if (collide(&files.item[a], &files.item[b])) {

@@ -1,6 +1,9 @@
 /* Command write_dump: writes one snapshot. */
 #include "core/life.h"
+#include "core/written_files.h"
 #include "dump/dump.h"
+
+#include <string.h>
 
 #include "base/banned.h"
 
@@ -36,6 +39,10 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	enum ts_status status;
 
 	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &s->rest.word[0], &style));
+	if (s->rest.n > 1 &&
+	    !strchr(s->rest.word[1].text, '*')) /* files of single frames may be written again */
+		TS_TRY(ts_written_files_allow(sim, "write_dump", s->rest.word[1].text,
+					      &s->rest.word[1].place));
 	TS_TRY(make_dump_words(sim, arena, s->rest, &words));
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
 	status = ts_dump_modify_words(sim, "write_dump modify", dump, s->modify, arena, where);

@@ -38,10 +38,10 @@ static enum ts_status compute_frame(struct tsim *sim, struct ts_plan *plan, bool
 	return ts_plan_stage(plan, sim, TS_STAGE_OUTPUT);
 }
 
-/* Whether the frame is selected by first, last, every and skip. */
+/* Whether the frame is selected by first, last, every and skip; the first frame is, whatever its step, as in LAMMPS. */
 static bool is_selected(struct rerun *c, int64_t step)
 {
-	if (step < c->first || step > c->last || (c->every && step % c->every != 0))
+	if (step < c->first || step > c->last || (c->seen && c->every && step % c->every != 0))
 		return false;
 	return c->seen++ % c->skip == 0;
 }
@@ -148,7 +148,7 @@ static const struct ts_arg args[] = {
 			"stands for all files with a number there"),
 	STEP("first", first, "0", "frames of earlier steps are skipped"),
 	STEP("last", last, "9000000000000000000", "frames of later steps are skipped"),
-	STEP("every", every, "0", "only frames whose step is a multiple of this; 0: all"),
+	STEP("every", every, "0", "only the first frame and those whose step is a multiple of this; 0: all"),
 	TS_INT("skip", struct rerun, skip, .fallback = "1", .range = TS_POSITIVE,
 	       .help = "use every N-th of the remaining frames, starting with the first"),
 	TS_INT("start", struct rerun, start, .fallback = "-1", .range = TS_WITHIN, .lo = -1, .hi = 9e18,

@@ -2,6 +2,7 @@
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "contact/pair.h"
+#include "core/written_files.h"
 #include "io/series.h"
 #include "particle/molecule.h"
 #include "particle/user_columns.h"
@@ -145,6 +146,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	enum ts_status status;
 
 	TS_TRY(ts_domain_refuse_shear(sim, "write_data", where));
+	TS_TRY(ts_written_files_allow(sim, "write_data", c->file, where));
 	if (sim->reading.explain)
 		return TS_OK;
 	ts_series_path(&path, c->file, (long long)sim->clock.step, 0);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/mkdirs.h"
+#include "core/written_files.h"
 #include "formula/unknown.h"
 #include "script/internal.h"
 
@@ -71,6 +72,8 @@ static enum ts_status run_print(struct tsim *sim, void *state, const struct ts_p
 	enum ts_status status;
 
 	TS_TRY(ts_script_of(sim, where, &script));
+	if (print->file)
+		TS_TRY(ts_written_files_allow(sim, "print", print->file, where));
 	status = ts_substitute_shown(script, print->text, ts_script_place(script, 1, where), &text);
 	if (status == TS_OK && print->screen)
 		print_text(sim, ts_str_text(&text));

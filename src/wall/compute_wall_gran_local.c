@@ -213,5 +213,6 @@ const struct ts_style ts_compute_wall_gran_local = {
 	.family = TS_FAMILY_CONTACTS,
 	.state_size = sizeof(struct state),
 	.values = values,
+	.width = ts_contact_columns_known_width,
 	.init = init,
 };

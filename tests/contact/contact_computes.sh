@@ -264,6 +264,9 @@ compute c all pair/local eng" "unknown quantity 'eng'"
 rejects "$six
 compute c all pair/gran/local heatFlux" 'no heat flows without a fix heat/gran'
 rejects "$six
+compute c all pair/gran/local id force
+dump d all local 1000 l*.txt c_c[7]" 'has no [7], the last is [6]'
+rejects "$six
 compute c all coord/atom -1" 'expected a cutoff > 0'
 rejects "$six
 compute c all coord/atom 0.1 3x" 'expected a type'

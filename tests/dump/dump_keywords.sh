@@ -72,4 +72,32 @@ judges euler/vtk 'f*.vtk' cells
 judges mesh/vtk 'f*.vtk' id area
 judges mesh/stl 'f*.stl'
 judges image 'f*.ppm' type diameter
+# ---- commands do not replace files that a dump or fix is writing
+open_files='units si
+boundary f f f
+region b block 0 1 0 1 0 1
+create_box 1 b
+create_atoms 1 single 0.5 0.5 0.5
+pair_style none
+timestep 1e-3
+fix n all nve
+dump a all custom 10 s.dump id x
+dump b all custom 10 s.*.dump id x
+fix p all print 10 "$(step)" file s.txt screen no
+fix t all ave/time 10 1 10 ke file t.txt
+run 20'
+rejects "$open_files
+write_dump all custom ./s.dump id x
+run 20" 'to which dump a'
+rejects "$open_files
+print 'note' file s.txt" 'to which fix p'
+rejects "$open_files
+write_data t.txt" 'to which fix t'
+prints "$open_files
+write_dump all custom s.*.dump id x
+write_data other.txt
+print 'note' append s.txt
+undump a
+write_dump all custom s.dump id x
+print ready" ready
 finish

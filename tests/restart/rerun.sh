@@ -50,6 +50,7 @@ steps() { # WHAT WORDS STEPS...
 }
 steps 'first and last' 'first 30 last 80' 40:0 60:20 80:40
 steps 'every' 'every 40' 0:0 40:40 80:80
+steps 'every behind a first frame of another step' 'first 20 every 40' 20:0 40:20 80:60
 steps 'skip' 'skip 2 start 0' 0:0 40:40 80:80
 steps 'start before the first frame' 'first 40 start 20' 40:20 60:40 80:60 100:80
 shows Elapsed some.out
