@@ -11,11 +11,17 @@
 struct ledger {
 	struct ts_ledger books; /* must be the first member */
 	int64_t every;
-	const char *path;
+	const char *replaced, *append;
 	double tolerance;
 	bool summary;
 	struct ts_textfile file;
 };
+
+/* The file, if there is one. */
+static const char *path_of(const struct ledger *s)
+{
+	return s->append ? s->append : s->replaced;
+}
 
 #define TS_LEDGER_NAME(name, text) #name,
 #define TS_LEDGER_TEXT(name, text) text,
@@ -191,11 +197,12 @@ static enum ts_status add_table_row(struct ledger *s, struct tsim *sim, const do
 static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 {
 	struct ledger *s = self->state;
+	const char *path = path_of(s);
 
-	if (!s->path || ts_textfile_is_open(&s->file))
+	if (!path || ts_textfile_is_open(&s->file))
 		return TS_OK;
-	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, false));
-	if (ts_csv_is(s->path))
+	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, path), path, s->append != NULL));
+	if (ts_csv_is(path))
 		return begin_table(s, sim);
 	TS_TRY(ts_textfile_printf(&s->file, "# step time"));
 	for (int k = 0; k < TS_LEDGER_VALUES; k++)
@@ -208,11 +215,11 @@ static enum ts_status write_row(struct ts_instance *self, struct tsim *sim)
 	struct ledger *s = self->state;
 	double v[TS_LEDGER_VALUES];
 
-	if (!s->path || sim->clock.step % s->every != 0)
+	if (!path_of(s) || sim->clock.step % s->every != 0)
 		return TS_OK;
 	TS_TRY(open_file(self, sim));
 	ts_ledger_values(&s->books, v);
-	if (ts_csv_is(s->path))
+	if (ts_csv_is(path_of(s)))
 		return add_table_row(s, sim, v);
 	TS_TRY(ts_textfile_printf(&s->file, "%" PRId64 " %.9g", sim->clock.step, ts_sim_time(sim)));
 	for (int k = 0; k < TS_LEDGER_VALUES; k++)
@@ -253,6 +260,16 @@ static enum ts_status check_walls(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ledger *s = self->state;
+
+	if (s->replaced && s->append)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix energy/ledger: expected either file or append, found both");
+	return ts_ledger_init(self, sim);
+}
+
 static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ledger *s = self->state;
@@ -262,9 +279,9 @@ static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, 
 	for (size_t a = 0; a < s->books.nactors; a++)
 		numbers += s->books.actor[a].pushes ? TS_CAUSE_NUMBERS : 0;
 	ts_report_line(report, "energy ledger", "%zu bytes per particle", numbers * sizeof(double));
-	if (!sim->reading.explain || !s->path)
+	if (!sim->reading.explain || !path_of(s))
 		return TS_OK;
-	return ts_report_output(report, s->path, ts_report_count(sim, s->every),
+	return ts_report_output(report, path_of(s), ts_report_count(sim, s->every),
 				20 + 18.0 * TS_LEDGER_VALUES) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
@@ -304,8 +321,12 @@ static bool is_due(const struct ts_instance *self, const struct tsim *sim)
 static const struct ts_arg args[] = {
 	TS_INT("every", struct ledger, every, .range = TS_POSITIVE, .fallback = "1000",
 	       .help = "number of time steps between lines of the file"),
-	TS_WORD("file", struct ledger, path, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "text file with all values; comma-separated values if it ends in .csv"),
+	TS_WORD("file", struct ledger, replaced, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "text file with all values; comma-separated values if it ends in .csv; an existing "
+			"one is "
+			"replaced"),
+	TS_WORD("append", struct ledger, append, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "the same; the values are appended to an existing file"),
 	TS_REAL("tolerance", struct ledger, tolerance, .range = TS_POSITIVE, .fallback = "0.01", .unit = "",
 		.help = "relative drift, divided by the largest turnover, above which a warning is printed"),
 	TS_BOOL("summary", struct ledger, summary, .fallback = "yes",
@@ -346,7 +367,7 @@ const struct ts_style ts_fix_energy_ledger = {
 	.state_size = sizeof(struct ledger),
 	.archive = ts_ledger_archive,
 	.values = values,
-	.init = ts_ledger_init,
+	.init = init,
 	.watch = ts_ledger_watch,
 	.hook = { [TS_STAGE_SETUP] = setup_ledger,
 		  [TS_STAGE_END_OF_STEP] = end_of_step,

@@ -193,4 +193,25 @@ compute stored all pe pear" "did you mean 'pair'"
 prints "$head
 thermo_style custom step cu ecouple econserve timeremain ecoul elong etail eangle edihed eimp angles dihedrals impropers
 run 0" '*TimeoutLeft' '*Impros'
+# The table of a continuation is appended to that of before.
+for name in books.txt books.csv; do
+	books="pair_style none
+fix move all nve/sphere
+fix books all energy/ledger every 2 append $name"
+	prints "$head
+$books
+run 4
+write_restart books.restart
+clear
+units si
+boundary f f f
+read_restart books.restart
+timestep 1e-5
+$books
+run 4" '*Loop time'
+	[ "$(awk '/^[0-9]/ { print $1 + 0 }' "$name" | tr '\n' ' ')" = '0 2 4 6 8 ' ]
+	report "a table that is appended to: $name" $? "$name"
+done
+rejects "$head
+fix books all energy/ledger every 2 append a.txt file b.txt" 'found both'
 finish
