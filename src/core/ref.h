@@ -42,8 +42,9 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const s
 /* One column of a local table: c_ID[k], or c_ID where it has one column. */
 enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 			    struct ts_table *out);
-/* Fails if no output of the compute or fix that has one of these shapes with the indices has an element or column of its number; where their number is known only after
- * evaluation, that tells. Not for formulas, where c_ID[k] may be the value of particle k. */
+/* Fails if no output of the compute or fix that has one of these shapes (bits 1 << shape) with the indices has an element or
+ * column of its number; where their number is known only after evaluation, that tells. Not for formulas, where c_ID[k] may be
+ * the value of particle k. */
 enum ts_status ts_ref_check_index(struct tsim *sim, const struct ts_ref *ref, unsigned shapes,
 				  const struct ts_place *where);
 /* Checks names and shapes in the formula of a variable without evaluating it. */

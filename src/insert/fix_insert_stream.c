@@ -67,8 +67,7 @@ static enum ts_status find_face(struct ts_instance *self, struct tsim *sim)
 	if (mover)
 		return ts_fail(&sim->error, TS_STATE, &id.place,
 			       "fix insert/stream: mesh %s is moved by fix %s (%s:%d), but the face of a "
-			       "stream "
-			       "must stay where it is",
+			       "stream must stay where it is",
 			       s->face_id, mover->id, TS_FILE_AND_LINE(mover->where));
 	mesh = &s->face->mesh;
 	for (size_t t = 1; t < mesh->n; t++)

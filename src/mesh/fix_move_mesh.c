@@ -452,9 +452,8 @@ const struct ts_style ts_fix_move_mesh = {
 	       "Several fixes may move one mesh: they act one after the other in each step, and each of them "
 	       "also moves the origins of those after it (in LIGGGHTS not those of riggle and vibrot). If a "
 	       "fix is deleted, the mesh stays where it is, and goes on from there if a script that "
-	       "continues from a restart file "
-	       "gives another velocity or period; origin, axis and kind of motion stay. A mesh with "
-	       "surface_vel or surface_ang_vel cannot move.\n\n"
+	       "continues from a restart file gives another velocity or period; origin, axis and kind of "
+	       "motion stay. A mesh with surface_vel or surface_ang_vel cannot move.\n\n"
 	       "Related: fix mesh/surface, fix move/mesh/free, fix mesh/surface/stress/servo.",
 	.example = "fix lift all move/mesh mesh cad linear 0 0 0.1\n"
 		   "fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"

@@ -354,8 +354,7 @@ static enum ts_status refuse_given(struct ts_instance *self, struct tsim *sim, c
 {
 	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, word),
 		       "fix %s: mesh %s had moved when the restart file was written, and %s; or give it "
-		       "another "
-		       "id to start without that state",
+		       "another id to start without that state",
 		       self->style->name, self->id, what);
 }
 

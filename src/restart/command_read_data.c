@@ -315,8 +315,8 @@ static const struct ts_arg args[] = {
 		.help = "name of the file; it may be compressed with gzip"),
 	TS_SOME_KEYWORD("add", struct read_data, add, TS_NAMED,
 			.help = "add to existing particles: append (ids and molecules follow the largest "
-				"existing ones), "
-				"merge (ids as in the file), a number that is added to the ids, or nothing: "
+				"existing ones), merge (ids as in the file), a number that is added to the "
+				"ids, or nothing: "
 				"as merge, and the box does not change"),
 	{ .name = "offset",
 	  .type = TS_ARG_REST,

@@ -78,9 +78,8 @@ void ts_mesh_crowd_tell(const struct ts_instance *self, struct tsim *sim, struct
 	ts_warn(&sim->log, &self->where,
 		"fix wall/gran %s: at step %" PRId64 " particle %" PRId32
 		" has %zu contacts with mesh %s within one contact area, each with the force of a plane, so "
-		"that "
-		"it is pushed back several times too hard: the triangles are too small for `curvature` of "
-		"the "
-		"mesh; take larger ones, or a `curvature` above the angle between two of them (once told)",
+		"that it is pushed back several times too hard: the triangles are too small for `curvature` "
+		"of the mesh; take larger ones, or a `curvature` above the angle between two of them (once "
+		"told)",
 		self->id, sim->clock.step, c->tag, c->contacts, mw->mesh[c->mesh].by->id);
 }
