@@ -274,4 +274,9 @@ fails 'no column' 1 "as a formula it names none" -plot formulas '3*4'
 fails 'not closed' 1 "expected" -plot formulas '(ke'
 printf 'a,b\n1,x\n2,y\n' >words
 fails 'a word' 1 "column 'b' of words has 'x', expected a number" -plot words 'a+b'
+# Comma-separated values without names: the first row is a row.
+printf '1,2\n3,4\n5,7\n' >numbers.csv
+"$TSIM" -plot numbers.csv >out 2>&1
+grep -q 'numbers.csv: comma-separated values, 3 rows, 2 columns' out && grep -Eq '^2 +2 +7 +2 +7 +4.33333' out
+report 'comma-separated numbers without names' $? out
 finish
