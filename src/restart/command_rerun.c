@@ -5,6 +5,8 @@
 #include "io/series.h"
 #include "restart/frames.h"
 
+#include <string.h>
+
 #include "base/banned.h"
 
 struct rerun {
@@ -100,6 +102,23 @@ static enum ts_status rerun_series(struct tsim *sim, struct rerun *c, struct ts_
 	return status;
 }
 
+/* -check, -explain: whether the files are there, and can be read. Those of a series may be written by a run. */
+static enum ts_status check_files(struct tsim *sim, const struct rerun *c)
+{
+	enum ts_status status = TS_OK;
+
+	for (size_t k = 0; k < c->files.n && status == TS_OK; k++) {
+		const struct ts_word *word = &c->files.word[k];
+		struct ts_frames f = { 0 };
+
+		if (strchr(word->text, '*'))
+			continue;
+		status = ts_frames_open(&f, sim, word->text, &word->place);
+		ts_frames_close(&f);
+	}
+	return status;
+}
+
 static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_plan *plan)
 {
 	enum ts_status status;
@@ -110,7 +129,7 @@ static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_p
 	TS_TRY(ts_restore_models(sim));
 	TS_TRY(ts_plan_compile(plan, sim));
 	if (sim->reading.explain)
-		return TS_OK;
+		return check_files(sim, c);
 	sim->run.inside = true;
 	status = TS_OK;
 	for (size_t k = 0; k < c->files.n && status == TS_OK; k++)

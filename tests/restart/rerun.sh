@@ -226,4 +226,13 @@ print \"\$(count(all)) particles, x \$(x[1]) \$(x[3])\"" '2 particles, x 0.5 0.7
 prints "$single
 read_dump two.dump 50 x y z add yes
 print \"\$(count(all)) particles, x \$(x[1]) \$(x[3])\"" '2 particles, x 0.25 0.75'
+# -check looks for the files, unless the script writes them.
+printf '%s\n' "$single" 'rerun none.dump dump x y z' >in.none
+"$TSIM" -check -in in.none >out 2>&1
+[ $? = 1 ] && grep -q "none.dump" out
+report '-check of a file that is missing' $? out
+printf '%s\n' "$single" 'pair_style none' 'dump d all custom 5 made.dump id x y z' 'run 10' 'undump d' 'rerun made.dump dump x y z' \
+	'rerun made.*.dump dump x y z' >in.made
+"$TSIM" -check -in in.made >out 2>&1
+report '-check of files that the script writes' $? out
 finish
