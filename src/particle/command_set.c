@@ -141,6 +141,7 @@ static enum ts_status set_number(struct tsim *sim, const struct state *s, const 
 				 int what, const struct ts_place *where, struct ts_table *table)
 {
 	struct ts_particles *p = sim->particles;
+	bool grow = false;
 	size_t bad;
 
 	if (what == DENSITY_DISC && sim->dimension != 2)
@@ -155,9 +156,14 @@ static enum ts_status set_number(struct tsim *sim, const struct state *s, const 
 	if (!sim->division && !s->value[what].variable && expected_value(p, what, s->value[what].value))
 		return ts_fail(&sim->error, TS_RANGE, where, "set: %s is %g, expected %s", names[what],
 			       s->value[what].value, expected_value(p, what, s->value[what].value));
-	for (size_t i = 0; i < p->n; i++)
-		if (chosen[i])
-			set_value(sim, i, what, table->data[i]);
+	for (size_t i = 0; i < p->n; i++) {
+		if (!chosen[i])
+			continue;
+		grow |= what == DIAMETER && 0.5 * table->data[i] > p->radius[i];
+		set_value(sim, i, what, table->data[i]);
+	}
+	if (what == DIAMETER && ts_ranks_most(sim, grow) > 0)
+		p->max_run_tag = 0; /* overlaps are no longer those that forces have made */
 	return TS_OK;
 }
 

@@ -188,6 +188,18 @@ timestep 1e-3
 run 110
 timestep 1e-4
 run 10"
+found 'an overlap of spheres that have been made larger between runs' overlap "$whole
+run 0
+timestep 1e-4
+run 10
+set group all diameter 0.4
+$rest" ': 1; the largest overlap is 0.1 (50 %)'
+sound 'spheres that have been made smaller between runs' "$whole
+run 0
+timestep 1e-4
+run 10
+set group all diameter 0.19
+$rest"
 sound 'bonded on purpose' "${whole/0.6 0.5 0.15/0.46 0.5 0.15}
 bond_style contact
 bond_coeff 1 stiffness 1e4 ultimate 1e9
