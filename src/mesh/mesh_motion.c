@@ -224,6 +224,9 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
 			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one that "
 			       "is a servo moves by itself",
 			       self->style->name);
+	/* a run that is only planned would have moved it */
+	if (sim->reading.explain && sim->clock.last_step > sim->clock.step && !mover->serial)
+		return add_new_motions(sim, s, mover->mesh) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	return TS_OK;
 }
 

@@ -147,6 +147,7 @@ $wall
 run 10
 fix cad all $plate
 run 0" 'has been defined anew since'
+refused '-check of it' 'has been defined anew since' -check -in in.script
 prints "$box
 fix cad all $plate
 fix mv all move/mesh mesh cad linear 0 0 1
