@@ -476,11 +476,16 @@ double ts_stencil_residual_of_guess(const struct ts_stencil *s, double *p, const
 				    double *out)
 {
 	double residual = ts_stencil_residual(s, p, b, out);
+	int first, end;
 
 	if (!(residual > largest))
 		return residual;
 	ts_stencil_clear(s, p);
-	return ts_stencil_residual(s, p, b, out);
+	ts_stencil_own(s, &first, &end);
+	for (int row = first; row < end; row++)
+		memcpy(out + ts_stencil_row(s, row), b + ts_stencil_row(s, row),
+		       (size_t)s->n[0] * sizeof *out);
+	return largest;
 }
 
 TS_CLONES
