@@ -8,9 +8,7 @@
 
 enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f)
 {
-	if (f->file && f->append)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix %s: expected either file or append, found both", self->style->name);
+	TS_TRY(ts_textfile_choose(&sim->error, &self->where, self->style->name, f->file, f->append));
 	if (f->overwrite && f->append)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix %s: overwrite can be used with file, not with append", self->style->name);

@@ -6,8 +6,8 @@
 #include "base/files.h"
 
 struct ts_script_folder {
-	char *name,
-		*folder; /* folder: absolute; NULL: the working folder has not changed since it was opened. Owned */
+	char *name;   /* owned */
+	char *folder; /* absolute; NULL: the working folder has not changed since it was opened. Owned */
 };
 
 /* A script has been opened by this name; false: out of memory. */

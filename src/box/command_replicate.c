@@ -252,9 +252,10 @@ const struct ts_command_style ts_command_replicate = {
 		.summary = "replicates the box with all particles and bonds",
 		.doc = "All properties of the particles are copied, group membership included. Copy k of the "
 		       "particle with ID t gets the ID t + k N, where N is the largest ID before and k "
-		       "numbers the copies with x varying fastest; molecules above 0 are numbered on in the same way. Bonds connect corresponding neighbours, "
-		       "also across periodic faces: a periodic block of bonded particles becomes a larger "
-		       "periodic block without unbonded interfaces.\n\n"
+		       "numbers the copies with x varying fastest; molecules above 0 are numbered on in the "
+		       "same way. Bonds connect corresponding neighbours, also across periodic faces: a "
+		       "periodic block of bonded particles becomes a larger periodic block without unbonded "
+		       "interfaces.\n\n"
 		       "Copies start without contact history. Fixes that store initial positions of particles "
 		       "and are defined before this command store those of the originals for their copies; "
 		       "define them afterwards.",

@@ -1,10 +1,10 @@
-#include "base/axes.h"
 #include "coupling/coupling_force.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/axes.h"
 #include "coupling/near_particles.h"
 #include "coupling/outside_grid.h"
 #include "coupling/reactions.h"

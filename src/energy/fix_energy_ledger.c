@@ -264,9 +264,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ledger *s = self->state;
 
-	if (s->replaced && s->append)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix energy/ledger: expected either file or append, found both");
+	TS_TRY(ts_textfile_choose(&sim->error, &self->where, self->style->name, s->replaced, s->append));
 	return ts_ledger_init(self, sim);
 }
 

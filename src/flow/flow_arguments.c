@@ -1,6 +1,6 @@
 /* Arguments common to several commands of the fluid. */
-#include "base/axes.h"
 #include "flow/flow_arguments.h"
+#include "base/axes.h"
 #include "region/region.h"
 
 #include "base/banned.h"

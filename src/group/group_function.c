@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/axes.h"
 #include "box/domain.h"
 #include "group/group_dynamic.h"
 #include "group/kinetic_energy.h"
@@ -184,9 +185,7 @@ static enum ts_status find_name(struct tsim *sim, const struct ts_word *word, co
 
 static enum ts_status read_dim(struct tsim *sim, const struct ts_word *word, int *dim)
 {
-	static const char *const names[] = { "x", "y", "z", NULL };
-
-	return find_name(sim, word, names, "x, y or z", dim);
+	return find_name(sim, word, ts_axis_names, "x, y or z", dim);
 }
 
 static enum ts_status eval_sum(struct tsim *sim, struct ts_words args, term_fn *term, double *out)

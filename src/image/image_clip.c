@@ -1,6 +1,7 @@
 /* Planes that cut the scene open: the keyword clip. */
-#include "base/axes.h"
 #include "image/image_clip.h"
+
+#include "base/axes.h"
 
 #include "base/banned.h"
 

@@ -165,6 +165,14 @@ static enum ts_status open_file(struct ts_textfile *file, struct tsim *sim, cons
 	return status;
 }
 
+enum ts_status ts_textfile_choose(struct ts_error *err, const struct ts_place *where, const char *style,
+				  const char *file, const char *append)
+{
+	if (!file || !append)
+		return TS_OK;
+	return ts_fail(err, TS_SYNTAX, where, "fix %s: expected either file or append, found both", style);
+}
+
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, const struct ts_place *where,
 				const char *path, bool append)
 {

@@ -28,6 +28,9 @@ struct ts_textfile {
 	struct ts_place where; /* line of the script, for messages */
 };
 
+/* Fails if a fix of this style is given both a file to replace and one to append to; NULL: not given. */
+enum ts_status ts_textfile_choose(struct ts_error *err, const struct ts_place *where, const char *style,
+				  const char *file, const char *append);
 /* Opens a file to be replaced or appended to. Creates the folders of its path. With -explain the output is
  * discarded. */
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, const struct ts_place *where,

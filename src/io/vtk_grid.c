@@ -40,7 +40,6 @@ static void add_head(struct ts_str *out, const struct ts_vtk_grid *grid, bool im
 
 static enum ts_status add_coordinates(struct tsim *sim, struct ts_str *out, const struct ts_vtk_grid *grid)
 {
-
 	ts_str_add(out, "<Coordinates>\n");
 	for (int d = 0; d < 3; d++)
 		TS_TRY(ts_vtk_add_array(sim, out, ts_axis_names[d], "Float64", 1, grid->face[d],

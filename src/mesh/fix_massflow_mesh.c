@@ -101,10 +101,8 @@ static enum ts_status check_words(struct ts_instance *self, struct tsim *sim)
 	if (s->deletes && s->count != ONCE)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "delete_atoms"),
 			       "fix massflow/mesh: delete_atoms requires `count once`");
-	if (s->file && s->append)
-		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "append"),
-			       "fix massflow/mesh: expected either file or append, found both");
-	return TS_OK;
+	return ts_textfile_choose(&sim->error, ts_instance_word(self, "append"), self->style->name, s->file,
+				  s->append);
 }
 
 static enum ts_status check_side(struct ts_instance *self, struct tsim *sim)

@@ -210,8 +210,9 @@ static enum ts_status load_mesh(struct ts_instance *self, struct tsim *sim, cons
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)
 		status = set_surface_velocity(self, sim, w, surface);
-	surface->given = hash_corners(&surface->mesh);
-	if (status != TS_OK)
+	if (status == TS_OK)
+		surface->given = hash_corners(&surface->mesh);
+	else
 		ts_mesh_surface_release(surface);
 	return status;
 }

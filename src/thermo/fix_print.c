@@ -22,9 +22,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
-	if (s->file && s->append)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix print: expected either file or append, found both");
+	TS_TRY(ts_textfile_choose(&sim->error, &self->where, self->style->name, s->file, s->append));
 	return check_title(self, sim);
 }
 
