@@ -50,22 +50,27 @@ static size_t deepest_touch(const struct tsim *sim, const struct ts_mesh_wall *m
 void ts_mesh_crowd_look(const struct tsim *sim, struct ts_mesh_wall *mw, const struct ts_mesh_neighbor *v)
 {
 	const struct touch deepest = find_touch(sim, mw, v, deepest_touch(sim, mw, v));
-	const double area =
-		2 * v->radius * (v->radius - deepest.at.distance); /* square of the contact radius */
+	const double overlap = v->radius - deepest.at.distance;
+	const double area = 2 * v->radius * overlap; /* square of the contact radius */
 	const int32_t tag = sim->particles->tag[v->i];
+	double sum = 0;
 	size_t n = 0;
 
 	for (size_t k = v->first; k < v->first + v->n; k++) {
 		const struct touch t = find_touch(sim, mw, v, k);
 
-		n += t.is && t.mesh == deepest.mesh && ts_distance2(t.point, deepest.point) <= area &&
-		     ts_dot(t.at.n, deepest.at.n) >= SAME_SIDE;
+		if (!t.is || t.mesh != deepest.mesh || ts_distance2(t.point, deepest.point) > area ||
+		    ts_dot(t.at.n, deepest.at.n) < SAME_SIDE)
+			continue;
+		n++;
+		sum += overlap > 0 ? (v->radius - t.at.distance) / overlap : 1;
 	}
 	if (n < TS_MESH_CROWD)
 		return;
 #pragma omp critical
 	if (!mw->crowd.contacts || tag < mw->crowd.tag)
-		mw->crowd = (struct ts_mesh_crowd){ .tag = tag, .contacts = n, .mesh = deepest.mesh };
+		mw->crowd =
+			(struct ts_mesh_crowd){ .tag = tag, .contacts = n, .sum = sum, .mesh = deepest.mesh };
 }
 
 void ts_mesh_crowd_tell(const struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
@@ -77,9 +82,9 @@ void ts_mesh_crowd_tell(const struct ts_instance *self, struct tsim *sim, struct
 	mw->crowd.told = true;
 	ts_warn(&sim->log, &self->where,
 		"fix wall/gran %s: at step %" PRId64 " particle %" PRId32
-		" has %zu contacts with mesh %s within one contact area, each with the force of a plane, so "
-		"that it is pushed back several times too hard: the triangles are too small for `curvature` "
-		"of the mesh; take larger ones, or a `curvature` above the angle between two of them (once "
-		"told)",
-		self->id, sim->clock.step, c->tag, c->contacts, mw->mesh[c->mesh].by->id);
+		" has %zu contacts with mesh %s within one contact area, each with the force of a plane: "
+		"their overlaps add up to %.2g times the largest, where one contact has the right force; the "
+		"triangles are too small for `curvature` of the mesh: take larger ones, or a `curvature` "
+		"above the angle between two of them (once told)",
+		self->id, sim->clock.step, c->tag, c->contacts, mw->mesh[c->mesh].by->id, c->sum);
 }

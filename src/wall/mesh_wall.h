@@ -55,6 +55,7 @@ struct ts_mesh_neighbor {
 /* A particle with several contacts within one contact area; see mesh_crowd.h. */
 struct ts_mesh_crowd {
 	size_t contacts; /* 0: none noted */
+	double sum;	 /* of their overlaps, divided by the largest */
 	int32_t tag, mesh;
 	bool told;
 };
