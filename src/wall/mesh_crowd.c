@@ -7,24 +7,30 @@
 
 /* Cosine of the largest angle between the normals of contacts of one surface; those of a corner include more. */
 static const double SAME_SIDE = 0.94;
+/* Overlaps, by the largest, of a contact beside an edge (fix mesh/surface). */
+static const double TWICE = 2;
 
 struct touch {
 	double point[3]; /* of the surface, relative to the centre of the particle */
 	struct ts_mesh_contact_point at;
 	int32_t mesh;
-	bool is; /* it touches, now as at the last look */
+	double height; /* the least one of the triangle, length */
+	bool is;       /* it touches, now as at the last look */
 };
 
 static struct touch find_touch(const struct tsim *sim, const struct ts_mesh_wall *mw,
 			       const struct ts_mesh_neighbor *v, size_t k)
 {
 	const struct ts_mesh_near *near = &mw->near[k];
-	struct touch t = { .mesh = near->mesh };
+	const struct ts_mesh *mesh = &mw->mesh[near->mesh].surface->mesh;
+	const size_t triangle = (size_t)near->triangle;
+	const double *edge = mesh->length[triangle];
+	struct touch t = { .mesh = near->mesh,
+			   .height = 2 * mesh->area[triangle] / fmax(edge[0], fmax(edge[1], edge[2])) };
 	double x[3];
 
 	ts_mesh_wall_position(sim, near, v->i, x);
-	t.is = near->touches && ts_mesh_nearest(&mw->mesh[near->mesh].surface->mesh, (size_t)near->triangle,
-						x, &t.at) != TS_MESH_NOTHING;
+	t.is = near->touches && ts_mesh_nearest(mesh, triangle, x, &t.at) != TS_MESH_NOTHING;
 	if (t.is)
 		ts_scale(-t.at.distance, t.at.n, t.point);
 	return t;
@@ -60,12 +66,12 @@ void ts_mesh_crowd_look(const struct tsim *sim, struct ts_mesh_wall *mw, const s
 		const struct touch t = find_touch(sim, mw, v, k);
 
 		if (!t.is || t.mesh != deepest.mesh || ts_distance2(t.point, deepest.point) > area ||
-		    ts_dot(t.at.n, deepest.at.n) < SAME_SIDE)
+		    ts_dot(t.at.n, deepest.at.n) < SAME_SIDE || t.height * t.height > 4 * area)
 			continue;
 		n++;
 		sum += overlap > 0 ? (v->radius - t.at.distance) / overlap : 1;
 	}
-	if (n < TS_MESH_CROWD)
+	if (n < TS_MESH_CROWD || sum <= TWICE)
 		return;
 #pragma omp critical
 	if (!mw->crowd.contacts || tag < mw->crowd.tag)

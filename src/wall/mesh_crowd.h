@@ -9,7 +9,8 @@
 enum { TS_MESH_CROWD = 3 };
 
 /* Notes particle `v`, which touches TS_MESH_CROWD triangles or more, if so many of its contacts are within one contact
- * area. By any thread. */
+ * area, with triangles that are no larger than it, and overlap more than twice as much together as the deepest of them.
+ * By any thread. */
 void ts_mesh_crowd_look(const struct tsim *sim, struct ts_mesh_wall *mw, const struct ts_mesh_neighbor *v);
 /* Warns, once for each wall, of the particle with the lowest identity of those noted in this step. */
 void ts_mesh_crowd_tell(const struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw);
