@@ -166,6 +166,7 @@ library_sources = \
 	src/bond/bond_gran.c \
 	src/bond/bond_harmonic.c \
 	src/bond/bond_loop.h \
+	src/bond/bond_loop_drift.c \
 	src/bond/bond_moment.c \
 	src/bond/bond_moment.h \
 	src/bond/bond_moment_loop.c \
@@ -1422,6 +1423,8 @@ library_sources = \
 	src/rigid/rigid.h \
 	src/rigid/rigid_batch.c \
 	src/rigid/rigid_batch.h \
+	src/rigid/rigid_box.c \
+	src/rigid/rigid_box.h \
 	src/rigid/rigid_follow.c \
 	src/rigid/rigid_follow.h \
 	src/rigid/rigid_motion.c \

@@ -16,6 +16,7 @@ shell_tests = \
 	tests/bed/stress_region.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
+	tests/bond/bond_scenes.sh \
 	tests/bond/bpm.sh \
 	tests/bond/harmonic.sh \
 	tests/bond/parallel.sh \

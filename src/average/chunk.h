@@ -77,7 +77,7 @@ struct ts_chunks {
 			.flags = TS_STATEFUL,                                                     \
 			.help = "whether particles outside the bins are in no chunk (yes) or in " \
 				"the nearest bin (no); mixed: yes where there is a bound, else "  \
-				"no; default: yes, for shells no"),                               \
+				"no; default: mixed below, yes above, for shells no"),            \
 		TS_LIST_KEYWORD("bound", T, chunks.bound_words,                                   \
 				.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_STATEFUL,   \
 				.help = "dim lo hi: bins extend from lo to hi, a coordinate or "  \

@@ -119,15 +119,16 @@ static int64_t bin_along(const struct ts_chunks *c, const struct ts_chunk_axis *
 {
 	const struct ts_box *box = &c->sim->domain->box;
 	double at = x[a->dim];
-	bool all = c->discard == TS_DISCARD_YES || c->discard == TS_DISCARD_DEFAULT;
+	/* the default is what LAMMPS does: `mixed` below, `yes` above */
+	bool all = c->discard == TS_DISCARD_YES, usual = c->discard == TS_DISCARD_DEFAULT;
 	bool mixed = c->discard == TS_DISCARD_MIXED;
 
 	/* positions are wrapped at rebuilds only: in between a particle may be slightly outside */
 	if (ts_box_periodic(box, a->dim))
 		at -= floor((at - box->lo[a->dim]) / ts_box_length(box, a->dim)) * ts_box_length(box, a->dim);
 	return clamp_bin(floor((at - a->lo) * (1 / a->width)), a->n,
-			 all || (mixed && c->bound[a->dim][0].given),
-			 all || (mixed && c->bound[a->dim][1].given));
+			 all || ((mixed || usual) && c->bound[a->dim][0].given),
+			 all || usual || (mixed && c->bound[a->dim][1].given));
 }
 
 /* Shell of a point by its distance from the centre, or from the axis of the cylinder. */

@@ -82,8 +82,8 @@ static enum ts_status count_contacts(struct ts_instance *self)
 	}
 	if (!(2 * most + s->gap > 0))
 		return TS_OK;
-	return ts_pairs_visit(&s->sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most + s->gap,
-			      count_contact, &task);
+	return ts_pairs_visit(&s->sim->domain->box, s->sim->dimension, (const double(*)[3])p->x, p->n,
+			      2 * most + s->gap, count_contact, &task);
 }
 
 enum { GEOMETRIC, MECHANICAL, NONE, ONE, MOST, CONTACTS, PARTICLES, WALLS, NNUMBERS };

@@ -57,8 +57,8 @@ static enum ts_status count(struct ts_instance *self, struct counts *out)
 	}
 	if (!(2 * most + s->gap > 0))
 		return TS_OK;
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most + s->gap,
-			      count_pair, &task);
+	return ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n,
+			      2 * most + s->gap, count_pair, &task);
 }
 
 enum { SHARE, RANDOM, CONTACTS, LIKE, UNLIKE, REST, NNUMBERS };

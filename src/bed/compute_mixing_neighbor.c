@@ -57,8 +57,8 @@ static enum ts_status find_neighbours(struct ts_instance *self, size_t *n)
 	if (status == TS_OK && *n <= (size_t)s->k)
 		*n = 0;
 	if (status == TS_OK && *n)
-		status = ts_nearest_find(&sim->domain->box, (const double(*)[3])s->x, s->tag, *n,
-					 (size_t)s->k, reach, s->neighbour);
+		status = ts_nearest_find(&sim->domain->box, sim->dimension, (const double(*)[3])s->x, s->tag,
+					 *n, (size_t)s->k, reach, s->neighbour);
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 

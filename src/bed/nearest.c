@@ -10,6 +10,7 @@
 
 struct search {
 	const struct ts_box *box;
+	int dimensions;
 	const double (*x)[3];
 	const int32_t *tag;
 	size_t n, k;
@@ -88,7 +89,7 @@ static enum ts_status search(struct search *s, double reach)
 
 		for (size_t i = 0; i < s->n; i++)
 			s->have[i] = 0;
-		TS_TRY(ts_pairs_visit(s->box, s->x, s->n, reach, enter_pair, s));
+		TS_TRY(ts_pairs_visit(s->box, s->dimensions, s->x, s->n, reach, enter_pair, s));
 		for (size_t i = 0; i < s->n; i++)
 			missing += (size_t)s->have[i] < s->k;
 		if (!are_few(missing, s->n))
@@ -100,11 +101,11 @@ static enum ts_status search(struct search *s, double reach)
 	}
 }
 
-enum ts_status ts_nearest_find(const struct ts_box *box, const double (*x)[3], const int32_t *tag, size_t n,
-			       size_t k, double reach, int32_t *row)
+enum ts_status ts_nearest_find(const struct ts_box *box, int dimensions, const double (*x)[3],
+			       const int32_t *tag, size_t n, size_t k, double reach, int32_t *row)
 {
 	struct search s = {
-		box, x, tag, n, k, ts_alloc(n * k, sizeof *s.d2), row, ts_alloc(n, sizeof *s.have)
+		box, dimensions, x, tag, n, k, ts_alloc(n * k, sizeof *s.d2), row, ts_alloc(n, sizeof *s.have)
 	};
 	enum ts_status status = s.d2 && s.have ? search(&s, reach) : TS_NOMEM;
 

@@ -103,6 +103,11 @@ static enum ts_status chosen(struct ts_instance *self, struct tsim *sim)
 	return ts_bpm_chosen(self, sim, &((struct bpm_spring *)self->state)->words);
 }
 
+static enum ts_status allow(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_bpm_allow(self, sim, &((struct bpm_spring *)self->state)->words);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct bpm_spring *s = self->state;
@@ -165,6 +170,7 @@ const struct ts_bond_style ts_bond_bpm_spring = {
 		   .energy = ts_contact_energy_of_bonds,
 		   .plan = ts_bond_plan,
 		   .fini = ts_bond_fini },
+	.allow = allow,
 	.coeff_size = sizeof(struct coeff),
 	.chosen = chosen,
 	.complete = complete,

@@ -175,6 +175,11 @@ static long compute_bonds(const struct ts_instance *self, const struct tsim *sim
 	return ts_parallel_count(ts_team(sim, b->n), b->slices.n, ts_bond_style_of(self)->compute, t);
 }
 
+static bool images_drift(const struct ts_domain *domain)
+{
+	return domain->drift[0] != 0 || domain->drift[1] != 0 || domain->drift[2] != 0;
+}
+
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
@@ -185,7 +190,8 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 				  any_type_damped(self, sim),
 				  sim->run.complete || sim->bonds->shown,
 				  sim->bonds->softens,
-				  sim->bonds->transmits ? ts_orientation(sim) : NULL };
+				  sim->bonds->transmits ? ts_orientation(sim) : NULL,
+				  images_drift(sim->domain) ? sim->domain : NULL };
 	long broken;
 
 	if (!sim->bonds->n) {
@@ -239,23 +245,45 @@ enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struc
 	return TS_OK;
 }
 
+bool ts_bond_has_coeffs(const struct tsim *sim, int64_t type)
+{
+	const struct ts_instance *style = ts_sim_only(sim, TS_KIND_BOND);
+	const struct ts_bond *bond = style ? style->state : NULL;
+
+	return bond && type <= sim->bonds->ntypes && (size_t)type < bond->coeffs.n &&
+	       bond->coeffs.given[type];
+}
+
 enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_bond *bond = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
 
 	TS_TRY(resize_coeffs(sim, self));
 	sim->bonds->flow = ts_exactsum_start();
 	for (size_t b = 0; b < bonds->n; b++)
-		if (!bond->coeffs.given[bonds->type[b]])
+		if (!ts_bond_has_coeffs(sim, bonds->type[b]))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "there are bonds of type %d, but no `bond_coeff %d ...`",
 				       bonds->type[b], bonds->type[b]);
 	ts_bonds_set_lengths(sim);
 	TS_TRY(ts_bonds_soften(sim, any_type_softens(self, sim)));
 	if (ts_bond_style_of(self)->element)
-		return ts_bond_moments_require(self, sim);
-	return ts_bonds_transmit(sim, false);
+		TS_TRY(ts_bond_moments_require(sim));
+	else
+		TS_TRY(ts_bonds_transmit(sim, false));
+	return ts_bonds_allow(sim);
+}
+
+enum ts_status ts_bonds_allow(struct tsim *sim)
+{
+	struct ts_instance *self = ts_sim_only(sim, TS_KIND_BOND);
+	const struct ts_bond_style *style = self ? ts_bond_style_of(self) : NULL;
+
+	if (!style || !sim->bonds->n)
+		return TS_OK;
+	if (style->element)
+		TS_TRY(ts_bond_moments_allow(self, sim));
+	return style->allow ? style->allow(self, sim) : TS_OK;
 }
 
 enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)

@@ -8,6 +8,9 @@
 enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struct ts_words words,
 				  const struct ts_place *where);
 
+/* Whether there is a bond style, and bond_coeff has given the coefficients of this type. */
+bool ts_bond_has_coeffs(const struct tsim *sim, int64_t type);
+
 enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
@@ -15,6 +18,8 @@ void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 void ts_bond_fini(struct ts_instance *self);
 
+/* Fails if the bonds that exist cannot act in this scene. */
+enum ts_status ts_bonds_allow(struct tsim *sim);
 /* Breaks the bonds whose flag `breaks` is set: records and removes them. */
 enum ts_status ts_bonds_break(struct tsim *sim);
 

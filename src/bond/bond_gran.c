@@ -130,11 +130,10 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	return break_hot_bonds(&s->bond, sim);
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status allow(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gran_bond *s = self->state;
 
-	TS_TRY(ts_bond_init(self, sim));
 	if (sim->bonds->n && any_by_temperature(&s->bond) && !temperatures(sim))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "bond_style gran: break style 2 needs the temperatures of `fix ID all "
@@ -238,11 +237,12 @@ const struct ts_bond_style ts_bond_gran = {
 		   .state_size = sizeof(struct gran_bond),
 		   .archive = ts_bond_archive,
 		   .fingerprint = ts_bond_fingerprint,
-		   .init = init,
+		   .init = ts_bond_init,
 		   .hook = { [TS_STAGE_POST_INTEGRATE] = post_integrate, [TS_STAGE_FORCE] = ts_bond_force },
 		   .energy = ts_contact_energy_of_bonds,
 		   .plan = ts_bond_plan,
 		   .fini = ts_bond_fini },
+	.allow = allow,
 	.coeff_size = sizeof(struct coeff),
 	.complete = complete,
 	.compute = ts_bond_compute_moments,

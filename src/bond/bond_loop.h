@@ -22,10 +22,11 @@ struct ts_bond_task {
 	struct ts_bonds *bonds;
 	const struct ts_coeffs *coeffs;
 	const struct ts_box *box;
-	bool moving;		  /* some bond type is damped: relative velocities are needed */
-	bool store;		  /* store the tensions: an output may read them */
-	bool softens;		  /* some bond type softens */
-	double (*orientation)[4]; /* of the particles, if bonds transmit moments */
+	bool moving;		       /* some bond type is damped: relative velocities are needed */
+	bool store;		       /* store the tensions: an output may read them */
+	bool softens;		       /* some bond type softens */
+	double (*orientation)[4];      /* of the particles, if bonds transmit moments */
+	const struct ts_domain *drift; /* whose periodic images have velocities of their own; or NULL */
 };
 
 /* A row of a slice. d: vectors from the partners to the particles; v: relative velocities, if moving; force: on the
@@ -66,6 +67,23 @@ TS_INLINE void ts_bond_apply_nearest_image(const struct ts_box *box, struct ts_b
 #pragma omp simd
 		for (size_t k = 0; k < TS_BOND_LANES; k++)
 			l->d[c][k] -= length * rint(l->d[c][k] / length);
+	}
+}
+
+/* v: velocity of particle i relative to particle j; becomes that relative to the image of j which is nearest to i
+ * (fix deform remap v). d: x of i minus x of j. Only if task->drift. */
+void ts_bond_add_drift(const struct ts_bond_task *t, size_t i, size_t j, const double d[3], double v[3]);
+
+/* The same for the lanes of a row. */
+TS_INLINE void ts_bond_add_drifts(const struct ts_bond_task *t, const int32_t *i, const int32_t *j,
+				  double (*d)[TS_BOND_LANES], double (*v)[TS_BOND_LANES])
+{
+	for (size_t k = 0; k < TS_BOND_LANES; k++) {
+		double apart[3] = { d[0][k], d[1][k], d[2][k] }, rate[3] = { v[0][k], v[1][k], v[2][k] };
+
+		ts_bond_add_drift(t, (size_t)i[k], (size_t)j[k], apart, rate);
+		for (int c = 0; c < 3; c++)
+			v[c][k] = rate[c];
 	}
 }
 
@@ -167,6 +185,8 @@ TS_INLINE long ts_bond_compute_slice(const struct ts_bond_task *t, const struct 
 		ts_bond_load_differences(x, own[0], s->partner[row], l.d);
 		if (kind.moving)
 			ts_bond_load_differences(v, own[1], s->partner[row], l.v);
+		if (kind.moving && t->drift)
+			ts_bond_add_drifts(t, slice->particle, s->partner[row], l.d, l.v);
 		ts_bond_apply_nearest_image(t->box, &l);
 		if (coeff)
 			ts_bond_evaluate(&l, s->rest[row], coeff, kind);

@@ -206,13 +206,17 @@ static enum ts_status refuse_member(struct ts_instance *self, struct tsim *sim, 
 		       self->style->name, p->tag[i]);
 }
 
-enum ts_status ts_bond_moments_require(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_bond_moments_require(struct tsim *sim)
+{
+	TS_TRY(ts_orientation_need(sim));
+	return ts_bond_reference_require(sim);
+}
+
+enum ts_status ts_bond_moments_allow(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bonds *b = sim->bonds;
 	struct ts_identities map;
 
-	TS_TRY(ts_orientation_need(sim));
-	TS_TRY(ts_bond_reference_require(sim));
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < b->n; k++)
 		for (int s = 0; s < 2; s++) {
@@ -224,34 +228,12 @@ enum ts_status ts_bond_moments_require(struct ts_instance *self, struct tsim *si
 	return TS_OK;
 }
 
-/* Fails if a bond is so long that its periodic image cannot be told. */
-static enum ts_status check_length(struct tsim *sim, size_t b)
-{
-	const double most = 0.49; /* of the length of the box; at a half the image is ambiguous */
-	const struct ts_bonds *bonds = sim->bonds;
-	const struct ts_box *box = &sim->domain->box;
-	double d[3];
-
-	ts_bond_separation(sim, (size_t)bonds->row[b][0], (size_t)bonds->row[b][1], d);
-	for (int c = 0; c < 3; c++)
-		if (ts_box_periodic(box, c) && fabs(d[c]) > most * ts_box_length(box, c))
-			return ts_fail(&sim->error, TS_PHYSICS, NULL,
-				       "the bond of particles %d and %d extends by %g along %c, about half "
-				       "the periodic box of %g, so that it is ambiguous which image of the "
-				       "partner it holds; use a larger box",
-				       bonds->tag[b][0], bonds->tag[b][1], fabs(d[c]), "xyz"[c],
-				       ts_box_length(box, c));
-	return TS_OK;
-}
-
 enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped, bool softens)
 {
 	struct ts_bond_rows *rows = &sim->bonds->rows;
 
 	if (rows->filled)
 		return TS_OK;
-	for (size_t b = 0; b < sim->bonds->n; b++)
-		TS_TRY(check_length(sim, b));
 	if (damped && TS_RENEW(rows->dashpots, rows->dashpots_capacity, rows->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	if (softens && TS_RENEW(rows->soft, rows->soft_capacity, rows->n) != TS_OK)

@@ -15,8 +15,10 @@ enum ts_status ts_bond_turn(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped, bool softens);
 /* Deletes the bonds whose flag is set; the rows stay, with empty lanes, so that constants are not computed again. */
 enum ts_status ts_bond_moments_remove(struct tsim *sim, const unsigned char *broken);
-/* Adds the columns, and refuses bonds that the style cannot describe. */
-enum ts_status ts_bond_moments_require(struct ts_instance *self, struct tsim *sim);
+/* Adds the columns. */
+enum ts_status ts_bond_moments_require(struct tsim *sim);
+/* Refuses bonds of members of rigid bodies. */
+enum ts_status ts_bond_moments_allow(struct ts_instance *self, struct tsim *sim);
 
 /* Constants and present state of bond b, without damping. */
 struct ts_bond_pair ts_bond_pair_of(const struct tsim *sim, size_t b);

@@ -61,6 +61,8 @@ TS_INLINE void load_row(const struct ts_bond_task *t, const struct ts_bond_row *
 	if (!moving)
 		return;
 	load_differences((const double(*)[3])t->p->v, l, r->v);
+	if (t->drift)
+		ts_bond_add_drifts(t, l->particle[1], l->particle[0], r->d, r->v);
 	for (int s = 0; s < 2; s++)
 		load_columns(t->p->omega[0], 3, l->particle[s], r->omega[s]);
 }

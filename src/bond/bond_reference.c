@@ -97,3 +97,14 @@ void ts_bond_reference_copy(struct ts_bonds *b, size_t from, size_t to, bool swa
 		b->reference[to].radius[s] = r->radius[1 - s];
 	}
 }
+
+void ts_bond_reference_doubt(struct tsim *sim, const char *command, const struct ts_place *where)
+{
+	if (!sim->bonds->n || !sim->bonds->transmits)
+		return;
+	ts_warn(&sim->log, where,
+		"%s: dumps have no orientations, so that particles keep those of now: shear, bending and "
+		"torsion of "
+		"bonds, and which of them break, are not those of the run that wrote the dump",
+		command);
+}

@@ -11,5 +11,7 @@ enum ts_status ts_bond_reference_require(struct tsim *sim);
 enum ts_status ts_bond_reference_complete(struct tsim *sim);
 /* Bond `to` gets the reference of bond `from`; `swapped`: with its partners in the other order. */
 void ts_bond_reference_copy(struct ts_bonds *bonds, size_t from, size_t to, bool swapped);
+/* Warns that the command sets positions from dumps, which have no orientations: bonds that transmit moments depend on them. */
+void ts_bond_reference_doubt(struct tsim *sim, const char *command, const struct ts_place *where);
 
 #endif

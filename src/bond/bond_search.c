@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/sort.h"
+#include "bond/bond_force.h"
 #include "bond/bond_reference.h"
 #include "box/domain.h"
 #include "geom/pointhash.h"
@@ -145,6 +146,7 @@ enum ts_status ts_bonds_add_pair(struct tsim *sim, const struct ts_bond_candidat
 enum ts_status ts_bonds_added(struct tsim *sim)
 {
 	ts_bonds_sort(sim->bonds);
+	TS_TRY(ts_bonds_allow(sim));
 	TS_TRY(ts_bond_reference_complete(sim));
 	sim->neigh->stale |= sim->neigh->skip_bonded;
 	return ts_bonds_connect(sim);

@@ -41,6 +41,8 @@ TS_INLINE void ts_bond_ends_of_lane(const struct ts_bond_task *t, const struct t
 		if (t->moving)
 			v[c] = p->v[j][c] - p->v[i][c];
 	}
+	if (t->moving && t->drift)
+		ts_bond_add_drift(t, j, i, d, v);
 	ts_box_nearest(t->box, d);
 	s->d = (struct ts_xyz){ d[0], d[1], d[2] };
 	s->v = (struct ts_xyz){ v[0], v[1], v[2] };

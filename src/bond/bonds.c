@@ -96,7 +96,25 @@ double ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3
 	return ts_norm(d);
 }
 
-static enum ts_status refuse_coincident_partners(struct tsim *sim, const struct ts_bonds *b)
+/* Fails if bond k is so long that its periodic image cannot be told. */
+static enum ts_status check_images(struct tsim *sim, const struct ts_bonds *b, size_t k, const double d[3])
+{
+	const double most = 0.49; /* of the length of the box; at a half the image is ambiguous */
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int c = 0; c < 3; c++)
+		if (ts_box_periodic(box, c) && fabs(d[c]) > most * ts_box_length(box, c))
+			return ts_fail(&sim->error, TS_PHYSICS, NULL,
+				       "the bond of particles %d and %d extends by %g along %c, about half "
+				       "the periodic box of %g, so that it is ambiguous which image of the "
+				       "partner it holds; use a larger box",
+				       b->tag[k][0], b->tag[k][1], fabs(d[c]), "xyz"[c],
+				       ts_box_length(box, c));
+	return TS_OK;
+}
+
+/* Fails if bonds have no direction, or no certain one. */
+static enum ts_status check_lengths(struct tsim *sim, const struct ts_bonds *b)
 {
 	double d[3];
 
@@ -104,6 +122,7 @@ static enum ts_status refuse_coincident_partners(struct tsim *sim, const struct 
 		size_t i = (size_t)b->row[k][0], j = (size_t)b->row[k][1];
 
 		TS_TRY(ts_coincide_bond(sim, NULL, i, j, ts_bond_separation(sim, i, j, d)));
+		TS_TRY(check_images(sim, b, k, d));
 	}
 	return TS_OK;
 }
@@ -124,7 +143,7 @@ enum ts_status ts_bonds_connect(struct tsim *sim)
 			for (int s = 0; s < 2; s++)
 				b->row[k][s] = ts_identity_row(&map, b->tag[k][s]);
 	}
-	TS_TRY(refuse_coincident_partners(sim, b));
+	TS_TRY(check_lengths(sim, b));
 	return ts_bonds_build_index(sim);
 }
 

@@ -120,6 +120,9 @@ struct ts_bond_pair {
 
 struct ts_bond_style {
 	struct ts_style style;
+	/* Fails if the bonds that exist cannot act in this scene: before a run, and after bonds have been made in it.
+	 * NULL: all can. */
+	ts_hook_fn *allow;
 	/* bytes of the coefficients of one bond type, the arguments of bond_coeff (style.coeff) */
 	size_t coeff_size;
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);

@@ -26,18 +26,26 @@ enum ts_status ts_bpm_chosen(struct ts_instance *self, struct tsim *sim, struct 
 	return words->store.n ? make_fix(self, sim, words->store) : TS_OK;
 }
 
+static bool breaks(const struct ts_bpm_words *words)
+{
+	return words->breaks && !words->unbreakable;
+}
+
 enum ts_status ts_bpm_check(const struct ts_instance *self, struct tsim *sim,
 			    const struct ts_bpm_words *words)
 {
-	bool breaks = words->breaks && !words->unbreakable;
-
-	if (!breaks && words->smooth)
+	if (!breaks(words) && words->smooth)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "bond_style %s: `break no` needs `smooth no`: forces that decrease before "
 			       "bonds break belong to bonds that break",
 			       self->style->name);
-	if (breaks && sim->bonds->n && ts_sim_only(sim, TS_KIND_PAIR) &&
-	    words->overlay == sim->neigh->skip_bonded)
+	return TS_OK;
+}
+
+enum ts_status ts_bpm_allow(const struct ts_instance *self, struct tsim *sim,
+			    const struct ts_bpm_words *words)
+{
+	if (breaks(words) && ts_sim_only(sim, TS_KIND_PAIR) && words->overlay == sim->neigh->skip_bonded)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       words->overlay ? "bond_style %s: overlay/pair yes contradicts special_bonds, "
 						"which switches the pair style off between bonded particles"

@@ -27,8 +27,11 @@ struct ts_bpm_words {
 
 /* Checks the keywords and makes the fix: when the style is chosen. */
 enum ts_status ts_bpm_chosen(struct ts_instance *self, struct tsim *sim, struct ts_bpm_words *words);
-/* Checks that special_bonds agrees: before a run. */
+/* Checks that the keywords agree: before a run. */
 enum ts_status ts_bpm_check(const struct ts_instance *self, struct tsim *sim,
+			    const struct ts_bpm_words *words);
+/* Checks that special_bonds agrees, if there are bonds. */
+enum ts_status ts_bpm_allow(const struct ts_instance *self, struct tsim *sim,
 			    const struct ts_bpm_words *words);
 
 #define TS_BPM_DOC                                                                                           \

@@ -49,8 +49,8 @@ static enum ts_status join_clusters(const struct tsim *sim, const struct cluster
 
 	ts_sets_start(t->parent, p->n);
 	if (cutoff > 0)
-		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, cutoff, join_pair,
-				      (void *)(uintptr_t)t));
+		TS_TRY(ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n,
+				      cutoff, join_pair, (void *)(uintptr_t)t));
 	/* the map of identities is scratch memory of the particles */
 	return bonds ? join_bonds((struct tsim *)(uintptr_t)sim, t) : TS_OK;
 }

@@ -23,6 +23,9 @@ struct create_bonds {
 	const struct ts_place *where;
 };
 
+/* Spheres that are placed side by side touch, whatever the rounding of their positions. */
+static const double ROUNDING = 1e-9;
+
 static double nearest_image_distance(const struct tsim *sim, size_t i, size_t j)
 {
 	const double *a = sim->particles->x[i], *b = sim->particles->x[j];
@@ -42,7 +45,7 @@ static bool matches_distance(const struct create_bonds *c, const struct ts_parti
 			     double d)
 {
 	if (c->mode == GAP)
-		return d - (p->radius[i] + p->radius[j]) <= c->gap;
+		return d <= (1 + ROUNDING) * (p->radius[i] + p->radius[j]) + c->gap;
 	return d >= c->rmin && d <= c->rmax;
 }
 
@@ -104,7 +107,7 @@ static double reach_of_gap(const struct create_bonds *c, const struct ts_particl
 	for (size_t i = 0; i < p->n; i++)
 		if (p->mask[i] & (1u << c->group_a | 1u << c->group_b))
 			radius = fmax(radius, p->radius[i]);
-	return radius > 0 ? fmax(2 * radius + c->gap, 0) : 0;
+	return radius > 0 ? fmax((1 + ROUNDING) * 2 * radius + c->gap, 0) : 0;
 }
 
 static enum ts_status create_many(struct tsim *sim, const struct create_bonds *c)
@@ -215,7 +218,7 @@ static const struct ts_arg gap_rows[] = {
 	       .help = "bond type"),
 	TS_REAL("gap", struct create_bonds, gap, .flags = TS_POSITIONAL, .unit = "length",
 		.help = "largest distance of the surfaces; 0: particles that touch, < 0: that overlap by "
-			"more"),
+			"more; to 1e-9 of the sum of the radii"),
 	TS_ARGS_END,
 };
 static const struct ts_arg single_rows[] = {

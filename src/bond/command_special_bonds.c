@@ -58,8 +58,8 @@ const struct ts_command_style ts_command_special_bonds = {
 		.summary = "sets whether the contact force acts between bonded particles",
 		.doc = "By default the pair style acts between bonded particles as well, in addition to the "
 		       "bond force. With a first factor of 0 it does not: bonded particles interact by the "
-		       "bond alone and may overlap. The contact force acts from the step after the bond "
-		       "breaks.",
+		       "bond alone, may overlap, and conduct no heat to each other (fix heat/gran). The "
+		       "contact force acts from the step after the bond breaks.",
 		.example = "special_bonds lj 0 1 1 coul 1 1 1",
 		.args = args,
 		.state_size = sizeof(struct state),

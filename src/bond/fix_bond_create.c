@@ -1,5 +1,6 @@
 /* Fix bond/create: bonds each particle to its nearest partner. */
 #include "bond/bond_choice.h"
+#include "bond/bond_force.h"
 #include "bond/bond_search.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
@@ -22,6 +23,27 @@ static int side_of(const struct create *c, int32_t type)
 	return type == c->itype ? 0 : type == c->jtype ? 1 : -1;
 }
 
+/* Words MAXBOND NEWTYPE; false: they are not. */
+static bool parse_param(struct ts_words w, const struct tsim *sim, int64_t *most, int64_t *becomes)
+{
+	return w.n == 2 && ts_parse_int(w.word[0].text, most) && *most >= 0 &&
+	       ts_parse_int(w.word[1].text, becomes) && *becomes >= 1 && *becomes <= sim->particles->ntypes;
+}
+
+static int gives_type(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct create *c = self->state;
+	int64_t largest = 0;
+
+	for (int side = 0; side < 2; side++) {
+		int64_t most, becomes;
+
+		if (parse_param(c->param[side], sim, &most, &becomes) && becomes > largest)
+			largest = becomes;
+	}
+	return (int)largest;
+}
+
 static enum ts_status read_param(const struct ts_instance *self, struct tsim *sim, int side)
 {
 	struct create *c = self->state;
@@ -31,9 +53,7 @@ static enum ts_status read_param(const struct ts_instance *self, struct tsim *si
 	c->becomes[side] = side ? c->jtype : c->itype;
 	if (!w.n)
 		return TS_OK;
-	if (w.n != 2 || !ts_parse_int(w.word[0].text, &c->most[side]) || c->most[side] < 0 ||
-	    !ts_parse_int(w.word[1].text, &c->becomes[side]) || c->becomes[side] < 1 ||
-	    c->becomes[side] > sim->particles->ntypes)
+	if (!parse_param(w, sim, &c->most[side], &c->becomes[side]))
 		return ts_fail(&sim->error, TS_SYNTAX, &w.word[0].place,
 			       "fix bond/create: expected %cparam MAXBOND NEWTYPE, a number and a particle "
 			       "type",
@@ -54,6 +74,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix bond/create: there is no bond type %lld: `bond_coeff %lld ...` or "
 			       "`create_box ... bond/types` must come before this fix",
+			       (long long)c->bond_type, (long long)c->bond_type);
+	if (ts_sim_only(sim, TS_KIND_BOND) && !ts_bond_has_coeffs(sim, c->bond_type))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix bond/create makes bonds of type %lld, but there is no `bond_coeff %lld "
+			       "...`",
 			       (long long)c->bond_type, (long long)c->bond_type);
 	for (int side = 0; side < 2; side++)
 		TS_TRY(read_param(self, sim, side));
@@ -237,5 +262,6 @@ const struct ts_style ts_fix_bond_create = {
 	.values = values,
 	.init = init,
 	.due = is_due,
+	.gives_type = gives_type,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = create_bonds },
 };

@@ -1,4 +1,5 @@
 /* Fix bond/create/gran: bonds between particles that are near each other, during a run. */
+#include "bond/bond_force.h"
 #include "bond/bond_search.h"
 #include "particle/particles.h"
 
@@ -65,16 +66,13 @@ static enum ts_status create_bonds(struct ts_instance *self, struct tsim *sim)
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct create *c = self->state;
-	const struct ts_instance *style = ts_sim_only(sim, TS_KIND_BOND);
-	const struct ts_bond *bond = style ? style->state : NULL;
 	int ntypes = sim->particles->ntypes;
 
 	if (c->itype > ntypes || c->jtype > ntypes)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix bond/create/gran: particle type %lld, but there are only %d types",
 			       (long long)(c->itype > c->jtype ? c->itype : c->jtype), ntypes);
-	if (!bond || c->bond_type > sim->bonds->ntypes || (size_t)c->bond_type >= bond->coeffs.n ||
-	    !bond->coeffs.given[c->bond_type])
+	if (!ts_bond_has_coeffs(sim, c->bond_type))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix bond/create/gran: there is no `bond_coeff %lld ...` yet; it must come "
 			       "before this fix",

@@ -2,6 +2,7 @@
 #include "core/sim.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "box/domain.h"
 #include "flow/flow.h"
@@ -203,6 +204,24 @@ static void begin_shear(struct state *s, struct tsim *sim)
 			shear->offset + (double)shear->turns * ts_box_length(&sim->domain->box, shear->flow);
 }
 
+/* Members would cross a face one after the other. */
+static enum ts_status refuse_bodies(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		const char *name = fixes->item[k]->style->name;
+
+		if (!strncmp(name, "rigid", 5) || ts_streq(name, "multisphere"))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix deform: `remap v` cannot be used with fix %s (line %d): the "
+				       "velocity of a body that crosses a face cannot change part by part; "
+				       "take `remap x`, or none",
+				       name, fixes->item[k]->where.line);
+	}
+	return TS_OK;
+}
+
 static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -238,6 +257,8 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 			       ts_sim_only(sim, TS_KIND_AUTOMATON)->where.line);
 	if (sheared(s) >= 0)
 		return check_shear(self, sim, sides);
+	if (s->remap == REMAP_V)
+		TS_TRY(refuse_bodies(self, sim));
 	if (!sides)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix deform: expected x, y, z, xy, xz or yz and its change");
@@ -452,7 +473,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Affine mapping: positions relative to the faces are kept. */
+/* Affine mapping: positions relative to the faces are kept; members of bodies follow these. */
 static void remap_positions(const struct ts_instance *self, struct tsim *sim, const struct span span[3])
 {
 	struct ts_particles *p = sim->particles;
@@ -460,7 +481,7 @@ static void remap_positions(const struct ts_instance *self, struct tsim *sim, co
 
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
-		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++) {
+		for (int k = 0; ts_in_group(p, i, self->group) && !(p->body && p->body[i]) && k < 3; k++) {
 			double factor = (span[k].hi - span[k].lo) / ts_box_length(box, k);
 
 			if (((const struct state *)self->state)->side[k].mode != NONE)
@@ -487,6 +508,9 @@ static enum ts_status deform_box(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(target_spans(self, sim, span));
 	if (s->remap == REMAP_X)
 		remap_positions(self, sim, span);
+	TS_TRY(sim->particles->bodies_change_box(sim, (double[]){ span[0].lo, span[1].lo, span[2].lo },
+						 (double[]){ span[0].hi, span[1].hi, span[2].hi },
+						 s->remap == REMAP_X, self->group));
 	for (int k = 0; k < 3; k++) {
 		box->lo[k] = span[k].lo;
 		box->hi[k] = span[k].hi;
@@ -634,7 +658,9 @@ const struct ts_style ts_fix_deform = {
 	       "With `remap x` the positions of the particles of the group are mapped affinely with the "
 	       "box, and velocities do not change. With `remap v` positions are not mapped, and the "
 	       "velocity of a particle of the group that crosses a periodic face changes by the rate of "
-	       "that box length; contacts across the face use the same relative velocity.\n\n"
+	       "that box length; contacts and bonds across the face use the same relative velocity. Rigid "
+	       "bodies and clumps are mapped by their centres of mass (`remap x`), and refused with `remap "
+	       "v`.\n\n"
 	       "`xy`, `xz` and `yz` with `remap v` (and N 1) give a homogeneous simple shear of a box that "
 	       "is periodic in both dimensions. The box stays orthogonal; instead the periodic images "
 	       "across the faces of the second dimension slide along the first, the upper ones with the "

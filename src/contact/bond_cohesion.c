@@ -9,6 +9,7 @@
 #include "bond/bond_single_loop.h"
 #include "contact/cohesive_bonds.h"
 #include "contact/contact_energy.h"
+#include "core/archive.h"
 #include "insert/template.h"
 #include "law/bond_local_damping.h"
 #include "law/bond_section.h"
@@ -23,6 +24,7 @@ struct cohesive_bond {
 	struct ts_cohesive_words words;
 	double when;	 /* step in which bonds are created; NaN: in each */
 	int64_t created; /* saved: step + 1 in which bonds were created last */
+	int64_t resets;	 /* saved: clock.resets then */
 };
 
 /* ---- law */
@@ -128,9 +130,11 @@ static enum ts_status create_bonds(struct ts_instance *self, struct tsim *sim)
 	double reach = largest_create_distance(sim, &s->bond);
 	enum ts_status status;
 
-	if ((!isnan(s->when) && (double)sim->clock.step != s->when) || s->created == sim->clock.step + 1)
+	if ((!isnan(s->when) && (double)sim->clock.step != s->when) ||
+	    (s->created == sim->clock.step + 1 && s->resets == sim->clock.resets))
 		return TS_OK;
 	s->created = sim->clock.step + 1;
+	s->resets = sim->clock.resets;
 	if (!(reach > 0))
 		return TS_OK;
 	ts_bonds_divide(sim);
@@ -206,6 +210,15 @@ static const struct ts_arg args[] = { TS_COHESIVE_ARGS(struct cohesive_bond, wor
 static const struct ts_arg coeff_rows[] = { TS_ARGS_END };
 static const struct ts_saved saved[] = { TS_SAVE_I64(struct cohesive_bond, created), TS_SAVED_ROWS_END };
 
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct cohesive_bond *s = self->state;
+
+	if (ts_archive_writing(a) || ts_archive_has(a, "resets")) /* older files have none */
+		TS_TRY(ts_archive_fixed(a, "resets", TS_SAVED_I64, &s->resets, 1));
+	return ts_bond_archive(self, sim, a);
+}
+
 static const char *const more[] = {
 	"Properties, by fix property/global, per pair of particle types: normalBondStiffnessPerUnitArea kn, "
 	"tangentialBondStiffnessPerUnitArea kt, radiusMultiplierBond (1 if it is not given), "
@@ -268,7 +281,7 @@ const struct ts_bond_style ts_bond_cohesion = {
 		   .coeff = coeff_rows,
 		   .state_size = sizeof(struct cohesive_bond),
 		   .saved = saved,
-		   .archive = ts_bond_archive,
+		   .archive = archive,
 		   .fingerprint = fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_POST_INTEGRATE] = ts_bond_turn,

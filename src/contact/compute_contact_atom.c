@@ -48,8 +48,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	if (!(most > 0))
 		return TS_OK;
 	/* pairs that just touch are in reach */
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most * (1 + 1e-9),
-			      count_overlap, &task);
+	return ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n,
+			      2 * most * (1 + 1e-9), count_overlap, &task);
 }
 
 static const struct ts_value values[] = {

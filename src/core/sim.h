@@ -92,6 +92,12 @@ struct ts_clock {
 	double wall_start;	/* ts_clock() at the start of the current run, s */
 };
 
+/* The step that a number of a script means; from 9e18 on one that is never reached. */
+static inline int64_t ts_clock_step_of(double step)
+{
+	return step < 9e18 ? (int64_t)step : INT64_MAX;
+}
+
 /* Counter of the first of `each` random numbers in this step; after reset_timestep those of steps of the same number differ. */
 static inline uint64_t ts_clock_counter(const struct ts_clock *clock, uint64_t each)
 {

@@ -207,6 +207,8 @@ struct ts_style {
 	 * limit of the step of all fixes, contacts and bonds together. NULL: there are none. */
 	void (*ground)(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		       struct ts_ground_springs *sum);
+	/* Fixes: the largest type that it may give to particles in a run; before init, too. NULL: they keep theirs. */
+	int (*gives_type)(const struct ts_instance *self, const struct tsim *sim);
 	/* Fixes: whether something moves by the time since its definition, and would jump if the time were set. NULL: no. */
 	bool (*moves_by_time)(const struct ts_instance *self);
 	/* Fixes: takes `n` numbers of the outside program (tsim_external); `what` is a word of the fix. */

@@ -23,12 +23,12 @@ static enum ts_status evaluate_next_step(struct ts_instance *self, struct tsim *
 	double next;
 
 	TS_TRY(sim->script_api->scalar(sim->script_api_data, d->variable, &self->where, &next));
-	if (!(next > (double)sim->clock.step) || next > 9e15)
+	if (!(next > (double)sim->clock.step))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "dump_modify every v_%s: the step of the next frame would be %g, but step "
 			       "%lld is reached already",
 			       d->variable, next, (long long)sim->clock.step);
-	d->next = (int64_t)next;
+	d->next = ts_clock_step_of(next);
 	return TS_OK;
 }
 
@@ -62,8 +62,8 @@ enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due
 		ts_deferred_loops_run(sim);
 	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
 		TS_TRY(evaluate_next_step(self, sim));
-	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&
-	       !(d->frames && d->last == step);
+	*due |= d->first && d->frames == 0 && sim->clock.first_step >= d->delay;
+	*due &= step >= d->delay && !(d->frames && d->last == step);
 	*due |= d->once; /* write_dump */
 	if (*due) {
 		d->last = step;

@@ -230,6 +230,7 @@ static struct ts_body body_after_kick(const struct ts_ledger *l, const struct ts
 
 	if (final)
 		return rigid->body[b];
+	ts_body_hold(&after);
 	ts_body_kick(&after, h);
 	return after;
 }

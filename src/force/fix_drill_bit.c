@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "box/domain.h"
 #include "core/ranks.h"
 #include "core/report.h"
 #include "math/constants.h"
@@ -105,6 +106,15 @@ static enum ts_status find_particles(struct ts_instance *self, struct tsim *sim)
 			       "fix drill/bit: the body group is empty, expected one particle%s",
 			       sim->run.inside ? ": the bit has left the box" : "");
 	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	if (ts_box_periodic(&sim->domain->box, 2))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix drill/bit: the box is periodic along z, along which the bit moves; take "
+			       "`boundary ... f`");
+	return find_particles(self, sim);
 }
 
 /* Each number is known on one rank: the largest of all. */
@@ -293,11 +303,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	for (int k = 0; k < NCUTTERS; k++)
 		if (b->index.cutter[k] >= 0) /* else it belongs to another rank */
 			least = fmin(least, p->mass[b->index.cutter[k]]);
-	if (!(b->spring > 0) || isinf(least))
+	if ((!(b->spring > 0) && !(b->damping > 0)) || isinf(least))
 		return TS_OK;
 	g = b->damping / (2 * least);
-	return ts_report_limit(report, 2 * (sqrt(b->spring / least + g * g) - g) / (b->spring / least), true,
-			       &self->where, "the coupling spring of fix drill/bit");
+	return ts_report_limit(report, 2 / (sqrt(b->spring / least + g * g) + g), true, &self->where,
+			       "the coupling spring of fix drill/bit");
 }
 
 /* For outputs after the step. */
@@ -401,7 +411,7 @@ const struct ts_style ts_fix_drill_bit = {
 	.state_size = sizeof(struct bit),
 	.saved = saved,
 	.values = values,
-	.init = find_particles,
+	.init = init,
 	.integrates = TS_MOVES,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_EXCHANGE] = exchange,

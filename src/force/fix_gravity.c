@@ -90,7 +90,7 @@ struct task {
 	int group;
 };
 
-/* Members of rigid bodies are skipped: their body is accelerated as a whole. */
+/* Members of rigid bodies are skipped: see ts_rigid_accelerate. */
 static void accelerate_group(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
@@ -210,8 +210,11 @@ const struct ts_style ts_fix_gravity = {
 	       "has no effect. With variables the direction is that of each step, as in a box that is "
 	       "tilted.\n\n"
 	       "The scalar f_ID is the potential energy -sum m g . x with unwrapped positions x; it counts "
-	       "in compute pe if `fix_modify ID energy yes` is set. Rigid bodies with a member in the group "
-	       "are accelerated as a whole, with the mass of the body.",
+	       "in compute pe if `fix_modify ID energy yes` is set. Rigid bodies and clumps with a member in "
+	       "the group are accelerated as a whole. In bodies of fix rigid each member gets its weight, "
+	       "so that fixes that change the forces on members, as setforce and freeze, change it, too; a "
+	       "clump of fix multisphere gets the weight of its mass, which those do not see, as in "
+	       "LIGGGHTS.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0\n"
 		   "fix tilt all gravity 9.81 chute v_angle",
 	.args = args,

@@ -22,11 +22,12 @@ struct grid {
 	int32_t (*turns)[3];   /* number of box lengths that a point is outside of the periodic box */
 };
 
-static void axis_extent(const struct ts_box *box, const double (*x)[3], size_t n, int dim, struct axis *a)
+static void axis_extent(const struct ts_box *box, const double (*x)[3], size_t n, int dim, bool periodic,
+			struct axis *a)
 {
 	double lo = box->lo[dim], hi = box->hi[dim];
 
-	a->periodic = ts_box_periodic(box, dim);
+	a->periodic = periodic;
 	for (size_t i = 0; !a->periodic && i < n; i++) {
 		lo = i ? fmin(lo, x[i][dim]) : x[i][dim];
 		hi = i ? fmax(hi, x[i][dim]) : x[i][dim];
@@ -151,8 +152,8 @@ static void search_around(const struct search *s, size_t i)
 					visit_cell(s, i, cell, image);
 }
 
-enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], size_t n, double cutoff,
-			      ts_pair_fn *visit, void *context)
+enum ts_status ts_pairs_visit(const struct ts_box *box, int dimensions, const double (*x)[3], size_t n,
+			      double cutoff, ts_pair_fn *visit, void *context)
 {
 	struct grid g = { .shear = &box->shear };
 	struct search s = { &g, x, cutoff * cutoff, visit, context };
@@ -160,7 +161,7 @@ enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], si
 	size_t cells = 1;
 
 	for (int d = 0; d < 3; d++) {
-		axis_extent(box, x, n, d, &g.axis[d]);
+		axis_extent(box, x, n, d, d < dimensions && ts_box_periodic(box, d), &g.axis[d]);
 		axis_divide(&g.axis[d], n, cutoff);
 		if (box->shear.on && d == box->shear.flow)
 			axis_shear(&g.axis[d], &box->shear, cutoff);

@@ -12,8 +12,9 @@
 /* d: vector from the image of j to i. Each pair is visited twice, as (i, j, d) and (j, i, -d). */
 typedef void ts_pair_fn(void *context, size_t i, size_t j, const double d[3]);
 
-/* Visits the pairs with |d| < cutoff; the order depends on the order of the points. */
-enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], size_t n, double cutoff,
-			      ts_pair_fn *visit, void *context);
+/* Visits the pairs with |d| < cutoff; the order depends on the order of the points. dimensions: with 2 points have no
+ * images along z. */
+enum ts_status ts_pairs_visit(const struct ts_box *box, int dimensions, const double (*x)[3], size_t n,
+			      double cutoff, ts_pair_fn *visit, void *context);
 
 #endif

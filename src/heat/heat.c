@@ -134,18 +134,21 @@ static enum ts_status effective_modulus(struct tsim *sim, const char *name, int 
 	return TS_OK;
 }
 
-/* Exponent a of the elastic force, F ~ overlap^a. */
-static double force_exponent(const struct tsim *sim)
+/* Of particles of these types; NULL: they have no contact law. */
+static const struct ts_granular_model *model_of_types(const struct tsim *sim, int a, int b)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_pair *pair = inst ? inst->state : NULL;
 
-	return pair && ts_granular_stiffens(&pair->model) ? 1.5 : 1;
+	return pair && a <= pair->ntypes && b <= pair->ntypes ? ts_pair_model(pair, a, b) : NULL;
 }
 
-enum ts_status ts_heat_softening(struct tsim *sim, const struct ts_heat *heat, int a, int b,
+enum ts_status ts_heat_softening(struct tsim *sim, const struct ts_heat *heat,
+				 const struct ts_granular_model *model, int a, int b,
 				 const struct ts_place *where, double *out)
 {
+	/* exponent of the elastic force, F ~ overlap^a */
+	const double exponent = model && ts_granular_stiffens(model) ? 1.5 : 1;
 	double now, original;
 
 	*out = 1;
@@ -153,7 +156,7 @@ enum ts_status ts_heat_softening(struct tsim *sim, const struct ts_heat *heat, i
 		return TS_OK;
 	TS_TRY(effective_modulus(sim, "youngsModulus", a, b, where, &now));
 	TS_TRY(effective_modulus(sim, "youngsModulusOriginal", a, b, where, &original));
-	*out = pow(now / original, 1 / force_exponent(sim));
+	*out = pow(now / original, 1 / exponent);
 	return TS_OK;
 }
 
@@ -163,7 +166,9 @@ static enum ts_status set_pair_constants(struct ts_instance *self, struct tsim *
 	size_t k = (size_t)a * (size_t)(h->ntypes + 1) + (size_t)b;
 
 	h->pair[k] = ts_heat_pair_conductivity(h->conductivity[a], h->conductivity[b]);
-	return h->correction ? ts_heat_softening(sim, h, a, b, &self->where, &h->softening[k]) : TS_OK;
+	if (!h->correction)
+		return TS_OK;
+	return ts_heat_softening(sim, h, model_of_types(sim, a, b), a, b, &self->where, &h->softening[k]);
 }
 
 static enum ts_status allocate_constants(struct ts_instance *self, struct tsim *sim)

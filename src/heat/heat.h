@@ -9,6 +9,8 @@
 #include "neigh/contact_list.h"
 #include "particle/particles.h"
 
+struct ts_granular_model;
+
 /* Heat flow through one contact: [0] heat rate into the first particle of the pair, energy/time; [1..3]
  * half of it times the vector from the second particle to the first, energy length/time. */
 struct ts_heat_flow {
@@ -43,7 +45,7 @@ struct ts_heat {
 	 * source; directional heat flux */
 	size_t temperature, flux, source, directed;
 	size_t contacts, area, wall_flux; /* only with store_contact_data */
-	size_t wall_conductance;	  /* sum of the conductances of its wall contacts */
+	size_t wall_conductance;	  /* sum of the conductances of its wall contacts, and of fluids */
 	size_t rate;			  /* dT/dt and Taylor terms of scheme exact */
 
 	int ntypes;
@@ -83,11 +85,16 @@ enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_wo
 struct ts_heat *ts_heat_of(const struct tsim *sim);
 enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who, const struct ts_place *where,
 				    double *out);
-/* The factor by which area_correction changes the overlap of two types; 1 without it. */
-enum ts_status ts_heat_softening(struct tsim *sim, const struct ts_heat *heat, int a, int b,
+/* The factor by which area_correction changes the overlap of two types, whose contacts have this model; 1 without it. */
+enum ts_status ts_heat_softening(struct tsim *sim, const struct ts_heat *heat,
+				 const struct ts_granular_model *model, int a, int b,
 				 const struct ts_place *where, double *out);
-/* Adds the heat flow from a wall of this temperature to particle i and returns it, energy/time; `conductance`:
- * h of the contact. To be called in stage POST_FORCE; in the set-up of a run nothing is added. */
+/* Adds the heat flow from what has this temperature, e.g. a fluid, to particle i and returns it, energy/time;
+ * `conductance`: heat flow by difference of temperatures. To be called in stage POST_FORCE; in the set-up of a run
+ * nothing is added. */
+double ts_heat_from_outside(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,
+			    double temperature);
+/* The same from a wall, whose flow is that of wallHeatFlux, too; `conductance`: h of the contact. */
 double ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,
 			 double temperature);
 /* Mean temperature of particle i over this step, minus that of stage POST_FORCE, with which heat flows are

@@ -260,8 +260,8 @@ enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-double ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, double conductance,
-			 double temperature)
+double ts_heat_from_outside(const struct ts_heat *h, struct tsim *sim, size_t i, double conductance,
+			    double temperature)
 {
 	double q = conductance * (temperature - ts_heat_column(sim, h->temperature)[i]);
 
@@ -269,7 +269,15 @@ double ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, do
 		return q;
 	ts_heat_column(sim, h->flux)[i] += q;
 	ts_heat_column(sim, h->wall_conductance)[i] += conductance;
-	if (h->store)
+	return q;
+}
+
+double ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, double conductance,
+			 double temperature)
+{
+	const double q = ts_heat_from_outside(h, sim, i, conductance, temperature);
+
+	if (h->store && !sim->run.in_setup)
 		ts_heat_column(sim, h->wall_flux)[i] += q;
 	return q;
 }

@@ -60,9 +60,11 @@ enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim, struct t
 	struct ts_heat *h = self->state;
 	double limit;
 
-	if (h->scheme == TS_HEAT_EXACT || report->limits_only) /* during a run see check_time_step below */
+	if (report->limits_only) /* during a run see check_time_step below */
 		return TS_OK;
 	ts_heat_find_conductances(self, sim);
+	if (h->scheme == TS_HEAT_EXACT)
+		return TS_OK;
 	limit = stability_limit(self, sim);
 	h->warned = !(sim->clock.dt < limit);
 	return isfinite(limit) ? ts_report_limit(report, limit, false, &self->where,

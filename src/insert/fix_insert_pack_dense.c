@@ -137,7 +137,7 @@ static enum ts_status compute_forces(struct packing *p, const struct tsim *sim)
 	p->worst = 0;
 	for (size_t i = 0; i < p->n; i++)
 		ts_scale(0, p->f[i], p->f[i]);
-	TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n,
+	TS_TRY(ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n,
 			      2 * (1 + MARGIN) * p->largest, add_pair_force, p));
 	for (size_t i = p->fixed; i < p->n; i++)
 		add_region_force(p, i);

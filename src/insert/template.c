@@ -191,9 +191,12 @@ int ts_template_max_type(const struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++)
 		most = p->type[i] > most ? p->type[i] : most;
 	for (size_t k = 0; k < fixes->n; k++) {
+		const struct ts_instance *fix = fixes->item[k];
+		const int given = fix->style->gives_type ? fix->style->gives_type(fix, sim) : 0;
 		struct ts_prospect one;
 
-		if (insertable_kind(fixes->item[k], &one) && one.type > most)
+		most = given > most ? given : most;
+		if (insertable_kind(fix, &one) && one.type > most)
 			most = (int)one.type;
 	}
 	return most;

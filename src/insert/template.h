@@ -69,8 +69,8 @@ struct ts_prospect {
 	double least, lightest; /* smallest radius and mass */
 };
 
-/* The largest type of all particles, templates and fixes of the above family; 0 if there are none. As in
- * LIGGGHTS, contact laws must be defined for all types up to it. */
+/* The largest type of all particles, templates, fixes of the above family and those that give types to particles; 0 if
+ * there are none. As in LIGGGHTS, contact laws must be defined for all types up to it. */
 int ts_template_max_type(const struct tsim *sim);
 /* Whether there is a template of single spheres, or a fix that makes its own. */
 bool ts_template_of_spheres(const struct tsim *sim);

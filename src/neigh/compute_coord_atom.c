@@ -129,8 +129,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	task.count = out->data;
 	for (size_t k = 0; k < p->n * s->ncolumns; k++)
 		out->data[k] = 0;
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, s->cutoff, count_partner,
-			      &task);
+	return ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n, s->cutoff,
+			      count_partner, &task);
 }
 
 static size_t width(const struct ts_instance *self)

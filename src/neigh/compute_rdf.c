@@ -154,8 +154,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 			task.cutoff = fmax(task.cutoff, 2 * p->radius[i]);
 	}
 	if (task.cutoff > 0)
-		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, task.cutoff,
-				      count_pair, &task));
+		TS_TRY(ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n,
+				      task.cutoff, count_pair, &task));
 	fill_table(self, sim, task.cutoff, out);
 	return TS_OK;
 }

@@ -199,8 +199,7 @@ const struct ts_command_style ts_command_displace_atoms = {
 		.name = "displace_atoms",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Displaces particles",
-		.doc = "Displaces the particles of the group once. Velocities and the orientation of\n"
-		       "particles do not change.\n\n"
+		.doc = "Displaces the particles of the group once. Velocities do not change.\n\n"
 		       "ramp interpolates the displacement linearly between clo and chi; it is constant\n"
 		       "outside of them. random draws each component uniformly from -most to +most; the\n"
 		       "numbers are functions of seed and atom ID. rotate rotates the positions in the\n"

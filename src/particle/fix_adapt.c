@@ -382,9 +382,10 @@ static void fini(struct ts_instance *self)
 static const struct ts_arg args[] = {
 	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
 	       .help = "steps between changes"),
-	TS_LIST_STATEFUL("changes", struct state, words,
+	/* the first change has three words, one of which may be the keyword `mass` */
+	TS_LIST_STATEFUL("changes", struct state, words, .least = 3,
 			 .help = "one or more of atom diameter|density|mass v_NAME and pair STYLE NUMBER I J "
-				 "v_NAME"),
+				 "v_NAME; `atom mass` comes first"),
 	TS_BOOL("scale", struct state, scale, .flags = TS_STATEFUL, .fallback = "no",
 		.help = "the variables are factors of the values at the time when the fix was defined; of "
 			"coefficients given later: of those at the first run"),

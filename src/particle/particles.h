@@ -156,6 +156,9 @@ struct ts_particles {
 	 * the command may move members of a body apart; set by the rigid bodies. */
 	enum ts_status (*bodies_follow)(struct tsim *sim, bool reshapes, const char *who,
 					const struct ts_place *where);
+	/* To be called before the box gets the faces lo, hi in a step: see rigid/rigid_box.h; set by the rigid bodies. */
+	enum ts_status (*bodies_change_box)(struct tsim *sim, const double lo[3], const double hi[3],
+					    bool map, int group);
 };
 
 enum ts_lost { TS_LOST_IGNORE, TS_LOST_WARN, TS_LOST_ERROR };

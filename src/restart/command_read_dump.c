@@ -1,4 +1,5 @@
 /* Command read_dump: sets properties of particles from a frame of a dump. */
+#include "bond/bond_reference.h"
 #include "restart/frames.h"
 
 #include "base/banned.h"
@@ -29,6 +30,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_frames f = { 0 };
 	enum ts_status status = ts_frames_open(&f, sim, c->file, where);
 
+	ts_bond_reference_doubt(sim, "read_dump", where);
 	if (status == TS_OK)
 		status = read_frame(sim, c, &f, where);
 	if (status == TS_OK) {

@@ -1,5 +1,6 @@
 /* Command rerun: computes forces and output for the frames of dumps. */
 #include "base/clock.h"
+#include "bond/bond_reference.h"
 #include "core/plan.h"
 #include "core/restored_models.h"
 #include "io/series.h"
@@ -119,7 +120,8 @@ static enum ts_status check_files(struct tsim *sim, const struct rerun *c)
 	return status;
 }
 
-static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_plan *plan)
+static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
+				  const struct ts_place *where)
 {
 	enum ts_status status;
 
@@ -128,6 +130,7 @@ static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_p
 	sim->clock.last_step = c->stop >= 0 ? c->stop : INT64_MAX;
 	TS_TRY(ts_restore_models(sim));
 	TS_TRY(ts_plan_compile(plan, sim));
+	ts_bond_reference_doubt(sim, "rerun", where);
 	if (sim->reading.explain)
 		return check_files(sim, c);
 	sim->run.inside = true;
@@ -149,9 +152,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_plan plan = { 0 };
 	enum ts_status status;
 
-	(void)where;
 	c->use.replace = true;
-	status = rerun_files(sim, c, &plan);
+	status = rerun_files(sim, c, &plan, where);
 	ts_plan_release(&plan);
 	if (status == TS_OK)
 		ts_log(&sim->log, "Rerun of %lld frames\n", (long long)c->done);

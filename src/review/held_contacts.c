@@ -67,8 +67,8 @@ static enum ts_status count_contacts(struct held *h)
 		most = fmax(most, p->radius[h->particle[k]]);
 	if (!(most > 0))
 		return TS_OK;
-	return ts_pairs_visit(&h->sim->domain->box, (const double(*)[3])h->x, h->n, 2 * most, count_contact,
-			      h);
+	return ts_pairs_visit(&h->sim->domain->box, h->sim->dimension, (const double(*)[3])h->x, h->n,
+			      2 * most, count_contact, h);
 }
 
 enum ts_status ts_review_held_contacts(struct tsim *sim)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/sort.h"
+#include "core/deferred_loops.h"
 #include "core/report.h"
 #include "math/rigid_turn.h"
 #include "particle/columns.h"
@@ -234,23 +235,43 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 	return TS_OK;
 }
 
+static bool body_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group)
+{
+	bool within = group == 0 && r->start[b] < r->start[b + 1]; /* all */
+
+	for (size_t k = r->start[b]; k < r->start[b + 1] && !within; k++)
+		within = ts_in_group(p, (size_t)r->member[k], group);
+	return within;
+}
+
+/* The mass of a clump is not that of its spheres, which overlap: the force acts on it as a whole. Else each member gets its
+ * weight, as in LAMMPS, so that fixes that change the forces on members change this one, too. */
+static void accelerate_body(struct ts_rigid *r, struct ts_particles *p, size_t b, const double a[3])
+{
+	if (r->body[b].kind > 0)
+		ts_axpy(r->body[b].mass, a, r->body[b].external);
+	for (size_t k = r->start[b]; k < r->start[b + 1] && !(r->body[b].kind > 0); k++)
+		if ((size_t)r->member[k] < p->n)
+			ts_axpy(p->mass[r->member[k]], a, p->f[r->member[k]]);
+}
+
 enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3])
 {
-	const struct ts_particles *p = sim->particles;
+	struct ts_particles *p = sim->particles;
 	struct ts_rigid *r = sim->rigid;
+	bool spheres = false;
 
 	if (!r->n)
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
+	for (size_t b = 0; b < r->n && !spheres; b++)
+		spheres = !(r->body[b].kind > 0);
+	if (spheres)
+		ts_deferred_loops_run(sim);
 #pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
-	for (size_t b = 0; b < r->n; b++) {
-		bool within = group == 0 && r->start[b] < r->start[b + 1]; /* all */
-
-		for (size_t k = r->start[b]; k < r->start[b + 1] && !within; k++)
-			within = ts_in_group(p, (size_t)r->member[k], group);
-		if (within)
-			ts_axpy(r->body[b].mass, a, r->body[b].external);
-	}
+	for (size_t b = 0; b < r->n; b++)
+		if (body_in_group(r, p, b, group))
+			accelerate_body(r, p, b, a);
 	return TS_OK;
 }
 

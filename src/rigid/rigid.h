@@ -17,7 +17,7 @@ struct ts_body {
 	double x[3], v[3];	    /* centre of mass, unwrapped, and its velocity */
 	double spin[3];		    /* angular momentum about the centre of mass */
 	double omega[3];	    /* angular velocity */
-	double force[3], torque[3]; /* of the last step */
+	double force[3], torque[3]; /* of the last step, in directions in which it is held, too */
 	double external[3];	    /* force on the body as a whole in this step (gravity) */
 	double free[6];		    /* 1 or 0: translation along x, y, z; rotation about x, y, z */
 	double density;		    /* of its material, or 0 */
@@ -125,7 +125,8 @@ const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i);
  * spheres share its mass. */
 double ts_rigid_material_density(const struct tsim *sim, size_t i);
 
-/* Adds the force of an acceleration to all bodies with a member in the group. */
+/* Adds the force of an acceleration to all bodies with a member in the group; all deferred loops are done then, unless all
+ * bodies are clumps. */
 enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3]);
 
 extern const struct ts_system_style ts_rigid_system;

@@ -193,7 +193,7 @@ TS_INLINE void set_all_members(struct tsim *sim, const struct lanes *l, size_t f
 	}
 }
 
-/* Force and torque on body order[turn]. */
+/* Force and torque on body order[turn]; the body keeps those that hold it in its constrained directions, too. */
 TS_INLINE void sum_forces(struct tsim *sim, size_t turn, const struct four_matrices *m, size_t k,
 			  ts_four *force, ts_four *torque)
 {
@@ -210,10 +210,10 @@ TS_INLINE void sum_forces(struct tsim *sim, size_t turn, const struct four_matri
 		*force += f;
 		*torque += CROSS(arm, f) + TS_FOUR_LOAD(p->torque[i]);
 	}
-	*force *= TS_FOUR_LOAD(body->free);
-	*torque *= TS_FOUR_LOAD(body->free + 3);
 	ts_four_store(force, 3, body->force);
 	ts_four_store(torque, 3, body->torque);
+	*force *= TS_FOUR_LOAD(body->free);
+	*torque *= TS_FOUR_LOAD(body->free + 3);
 }
 
 /* Of the bodies of all lanes, also into the lanes. */
@@ -234,12 +234,21 @@ TS_INLINE void sum_all_forces(struct tsim *sim, size_t from, size_t n, struct la
 
 /* ---- a batch of bodies: order[from] .. order[from + n - 1], n at most LANES */
 
+/* What accelerates the bodies. */
+TS_INLINE void hold_constrained(const struct ts_rigid *r, size_t from, size_t n, struct lanes *l)
+{
+	for (size_t k = 0; k < n; k++)
+		for (size_t c = 0; c < 6; c++)
+			l->of[INDEX(force) + c][k] *= r->body[r->order[from + k]].free[c];
+}
+
 /* Half kick and drift. */
 TS_CLONES static void begin_batch(struct tsim *sim, size_t from, size_t n)
 {
 	struct lanes l;
 
 	load_bodies(sim->rigid, from, n, NUMBERS, &l);
+	hold_constrained(sim->rigid, from, n, &l);
 	advance_lanes(&l, n, sim->clock.dt, false, true);
 	store_bodies(&l, from, n, sim->rigid);
 	set_all_members(sim, &l, from, n, true);

@@ -50,6 +50,14 @@ void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t 
 	}
 }
 
+void ts_body_hold(struct ts_body *b)
+{
+	for (int k = 0; k < 3; k++) {
+		b->force[k] *= b->free[k];
+		b->torque[k] *= b->free[3 + k];
+	}
+}
+
 void ts_body_kick(struct ts_body *b, double h)
 {
 	for (int k = 0; k < 3; k++) {

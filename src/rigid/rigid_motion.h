@@ -16,6 +16,9 @@ void ts_rigid_attach(struct tsim *sim, const struct ts_body *body, int32_t id, c
 /* Computes positions and velocities of the members row[] from those of the body. */
 void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n);
 
+/* Leaves the force and the torque that accelerate the body: those in its free directions. */
+void ts_body_hold(struct ts_body *body);
+
 /* A step of velocity Verlet: half kick, drift, and half kick with the new forces. After the drift
  * velocities are those of the half step, as for single spheres. */
 void ts_body_kick(struct ts_body *body, double h);

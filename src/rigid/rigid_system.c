@@ -7,6 +7,7 @@
 #include "core/report.h"
 #include "particle/copies.h"
 #include "rigid/rigid_batch.h"
+#include "rigid/rigid_box.h"
 #include "rigid/rigid_follow.h"
 
 #include "base/banned.h"
@@ -130,10 +131,25 @@ static enum ts_status dissolve_orphans(struct tsim *sim, struct ts_rigid *r)
 	return TS_OK;
 }
 
+/* `commanded`: members are missing that no step has lost. */
+static enum ts_status drop_incomplete(struct tsim *sim, const struct ts_rigid *r, bool commanded)
+{
+	const size_t before = r->n;
+
+	TS_TRY(ts_rigid_drop_incomplete(sim));
+	if (commanded && r->n < before)
+		ts_warn(&sim->log, NULL,
+			"%zu rigid bodies lack members, which delete_atoms has deleted: they are deleted "
+			"with all their particles",
+			before - r->n);
+	return TS_OK;
+}
+
 /* After particles were lost and inverse masses were set: deletes incomplete bodies, sets imass of members. */
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_rigid *r = self->state;
+	const bool some_lost = r->lost != sim->particles->lost;
 
 	if (sim->division)
 		return ts_rigid_exchange_own(sim);
@@ -142,7 +158,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(dissolve_orphans(sim, r));
 	TS_TRY(ts_rigid_list(sim));
-	TS_TRY(ts_rigid_drop_incomplete(sim));
+	TS_TRY(drop_incomplete(sim, r, r->fresh && !some_lost));
 	if (r->fresh && sim->clock.step == sim->clock.first_step) /* not in a step after `run N pre no` */
 		TS_TRY(ts_rigid_take_velocities(sim));
 	r->fresh = false;
@@ -241,6 +257,7 @@ static void connect_rigid_bodies(struct tsim *sim)
 {
 	sim->particles->material_density = ts_rigid_material_density;
 	sim->particles->bodies_follow = ts_rigid_follow;
+	sim->particles->bodies_change_box = ts_rigid_change_box;
 }
 
 const struct ts_system_style ts_rigid_system = {

@@ -71,6 +71,16 @@ static enum ts_status make_room(struct tsim *sim, struct ts_pressed_surface *s)
 	return TS_OK;
 }
 
+static enum ts_status refuse_pressure(struct ts_instance *self, double pressure, double hardness)
+{
+	const struct ts_pressed_surface *s = self->state;
+
+	return ts_fail(&s->sim->error, TS_PHYSICS, &self->where,
+		       "compute surface/contact %s: the mean pressure %g cannot be carried: where all "
+		       "columns yield it is the hardness %g",
+		       self->id, pressure, hardness);
+}
+
 enum ts_status ts_pressed_surface_init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_pressed_surface *s = self->state;
@@ -79,6 +89,8 @@ enum ts_status ts_pressed_surface_init(struct ts_instance *self, struct tsim *si
 	s->solved = false;
 	TS_TRY(find_surfaces(self, sim));
 	TS_TRY(check_model(self, sim));
+	if (!s->mean_pressure.variable && s->mean_pressure.value >= s->hardness)
+		return refuse_pressure(self, s->mean_pressure.value, s->hardness);
 	return make_room(sim, s);
 }
 
@@ -117,10 +129,7 @@ static enum ts_status say_failure(struct ts_instance *self, const struct ts_roug
 			       self->id, p->mean_pressure,
 			       s->model == TS_PRESSED_WINKLER ? "stiffness" : "young");
 	if (status == TS_RANGE)
-		return ts_fail(error, TS_PHYSICS, &self->where,
-			       "compute surface/contact %s: the mean pressure %g cannot be carried: where "
-			       "all columns yield it is the hardness %g",
-			       self->id, p->mean_pressure, p->hardness);
+		return refuse_pressure(self, p->mean_pressure, p->hardness);
 	if (status == TS_PHYSICS)
 		return ts_fail(error, TS_PHYSICS, &self->where,
 			       "compute surface/contact %s: no solution within %g of the standard deviation "

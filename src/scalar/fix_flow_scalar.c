@@ -342,7 +342,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 			continue;
 		k = heat_conductance(s, p, i, place);
 		there = ts_fluid_value(s->fluid, s->transport.value, place, NULL);
-		ts_heat_from_wall(s->heat, sim, i, k, there);
+		ts_heat_from_outside(s->heat, sim, i, k, there);
 		s->heat_rate[i] = k * (there - ts_heat_column(sim, s->heat->temperature)[i]);
 	}
 	TS_TRY(ts_rank_sums(sim, s->heat_rate, p->n, 1, 1, &s->exchanged));

@@ -30,6 +30,8 @@ struct ts_script {
 	bool programs;
 	/* working folder at the first `shell` command, links resolved; NULL: none yet */
 	const char *home;
+	/* -check, -explain: nesting of the folders, not made by `shell mkdir`, to which `shell cd` has changed */
+	int missing_folders;
 	int branches;		  /* nesting of `if` commands being executed */
 	int depth;		  /* nesting of scripts and commands */
 	struct ts_words current;  /* the command being executed */

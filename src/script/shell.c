@@ -28,12 +28,12 @@ static const struct ts_arg shell_args[] = {
 	TS_ARGS_END
 };
 
-static int set_environment(struct ts_files *files, const char *text)
+static int set_environment(struct ts_script *script, const char *text)
 {
 	const char *equal = strchr(text, '=');
 	char name[256];
 
-	(void)files;
+	(void)script;
 	if (!equal || equal == text || (size_t)(equal - text) >= sizeof name) {
 		errno = EINVAL;
 		return -1;
@@ -42,18 +42,73 @@ static int set_environment(struct ts_files *files, const char *text)
 	return setenv(name, equal + 1, 1);
 }
 
+static int make_folder(struct ts_script *script, const char *path)
+{
+	return ts_mkdirs(&script->sim->files, path);
+}
+
+static int remove_file(struct ts_script *script, const char *path)
+{
+	return ts_files_remove(&script->sim->files, path);
+}
+
+static int remove_folder(struct ts_script *script, const char *path)
+{
+	return ts_files_remove_folder(&script->sim->files, path);
+}
+
+/* With -check and -explain, in a folder that a run would have made: follows a path, and returns what is left of it where
+ * it leaves all such folders. An empty path stays in one. */
+static const char *follow_missing_folders(struct ts_script *script, const char *path)
+{
+	if (path[0] == '/') {
+		script->missing_folders = 0;
+		return path;
+	}
+	while (path[0] && script->missing_folders) {
+		const size_t n = strcspn(path, "/");
+
+		if (n == 2 && !strncmp(path, "..", n))
+			script->missing_folders--;
+		else if (n && !(n == 1 && path[0] == '.'))
+			script->missing_folders++;
+		path += path[n] ? n + 1 : n;
+	}
+	return path;
+}
+
+/* Changes to a folder. With -check and -explain it may be one that a run would have made. */
+static int change_folder(struct ts_script *script, const char *path)
+{
+	struct tsim *sim = script->sim;
+	int result;
+
+	if (script->missing_folders) {
+		path = follow_missing_folders(script, path);
+		if (!path[0])
+			return 0;
+	}
+	result = ts_files_chdir(&sim->files, path);
+	if (result && (sim->reading.check || sim->reading.explain)) {
+		script->missing_folders = 1;
+		follow_missing_folders(script, path);
+		script->missing_folders--;
+	}
+	return result;
+}
+
 static const struct {
 	const char *name;
-	int (*act)(struct ts_files *files, const char *path);
+	int (*act)(struct ts_script *script, const char *path);
 	bool writes;	/* not done with -explain */
 	bool removes;	/* only below the working folder, unless -shell yes */
 	bool options;	/* words such as -p and -rf are ignored */
 	bool forgiving; /* a failure is only a warning, since nothing depends on it; LIGGGHTS ignores it */
 } actions[] = {
-	{ "mkdir", ts_mkdirs, true, false, true, false },
-	{ "rm", ts_files_remove, true, true, true, true },
-	{ "rmdir", ts_files_remove_folder, true, true, true, true },
-	{ "cd", ts_files_chdir, false, false, false, false },
+	{ "mkdir", make_folder, true, false, true, false },
+	{ "rm", remove_file, true, true, true, true },
+	{ "rmdir", remove_folder, true, true, true, true },
+	{ "cd", change_folder, false, false, false, false },
 	{ "putenv", set_environment, false, false, false, false },
 };
 enum { ACTIONS = sizeof actions / sizeof *actions };
@@ -88,7 +143,8 @@ static enum ts_status require_below_home(struct ts_script *script, const char *w
 {
 	struct place_of_file file = { word->text, script->home };
 
-	if (script->programs || !ts_peers_by_first(&script->sim->files, lies_outside, &file))
+	if (script->programs || script->missing_folders ||
+	    !ts_peers_by_first(&script->sim->files, lies_outside, &file))
 		return TS_OK;
 	return ts_fail(&script->sim->error, TS_STATE, &word->place,
 		       "shell %s '%s': this is not below '%s', where tsim was started; files elsewhere are "
@@ -164,7 +220,7 @@ static enum ts_status run_action(struct ts_script *script, size_t a, const struc
 		snprintf(what, sizeof what, "shell %s", actions[a].name);
 		return report_change(sim, what, word);
 	}
-	if ((sim->reading.explain && actions[a].writes) || actions[a].act(&sim->files, word->text) == 0)
+	if ((sim->reading.explain && actions[a].writes) || actions[a].act(script, word->text) == 0)
 		return TS_OK;
 	if (!actions[a].forgiving)
 		return ts_fail(&sim->error, TS_IO, &word->place, "shell %s '%s' failed: %s", actions[a].name,

@@ -379,8 +379,7 @@ static enum ts_status search(struct ts_calibration *c)
 		TS_TRY(try_step(c, dx, left, &radius));
 	}
 	c->end = TS_CALIBRATION_REACHED;
-	if (!c->has_jacobian && fit_jacobian(c, false) == TS_OK)
-		c->has_jacobian = true;
+	c->has_jacobian |= fit_jacobian(c, c->has_jacobian) == TS_OK;
 	return TS_OK;
 }
 

@@ -51,7 +51,8 @@ static const struct ts_arg args[] = {
 	TS_ENUM("lost/bond", struct state, lost_bond, policies, .flags = TS_OPTIONAL,
 		.help = "no effect: bonds are deleted with their particles"),
 	TS_ENUM("norm", struct state, norm, answers, .flags = TS_OPTIONAL,
-		.help = "whether ke, pe, etotal and erotate are divided by the number of particles"),
+		.help = "whether ke, pe, etotal, erotate, epair, ebond and emol are divided by the number of "
+			"particles"),
 	TS_ENUM("flush", struct state, flush, answers, .flags = TS_OPTIONAL,
 		.help = "no effect: output is flushed after each row"),
 	TS_ENUM("line", struct state, line, lines, .flags = TS_OPTIONAL,

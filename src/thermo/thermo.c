@@ -259,12 +259,12 @@ static enum ts_status evaluate_next_step(struct ts_thermo *t, struct tsim *sim)
 	double next;
 
 	TS_TRY(sim->script_api->scalar(sim->script_api_data, t->variable, NULL, &next));
-	if (!(next > (double)sim->clock.step) || next > 9e15)
+	if (!(next > (double)sim->clock.step))
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "thermo v_%s: the step of the next row would be %g, but step %" PRId64
 			       " is reached already",
 			       t->variable, next, sim->clock.step);
-	t->next = (int64_t)next;
+	t->next = ts_clock_step_of(next);
 	return TS_OK;
 }
 

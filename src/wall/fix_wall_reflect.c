@@ -15,6 +15,7 @@ struct state {
 	const char *word[NFACES]; /* as written: a number, EDGE, v_NAME, or NULL */
 	struct ts_number at[NFACES];
 	int units;
+	bool told; /* that bodies are not reflected */
 };
 
 static const char *const faces[] = { "xlo", "xhi", "ylo", "yhi", "zlo", "zhi" };
@@ -42,6 +43,23 @@ static enum ts_status read_face(struct ts_instance *self, struct tsim *sim, int 
 		       "fix wall/reflect: %s is '%s', expected a number, EDGE or v_NAME", faces[k], word);
 }
 
+/* Members follow their body, whatever velocity they get. */
+static void doubt_bodies(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	size_t members = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		members += p->body && p->body[i] && ts_in_group(p, i, self->group);
+	if (members && !s->told)
+		ts_warn(&sim->log, &self->where,
+			"fix wall/reflect: %zu particles of its group belong to rigid bodies, which it does "
+			"not reflect",
+			members);
+	s->told |= members > 0;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -53,8 +71,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(read_face(self, sim, k));
 		n++;
 	}
-	if (n)
+	if (n) {
+		doubt_bodies(self, sim);
 		return TS_OK;
+	}
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 		       "fix wall/reflect: expected at least one of xlo, xhi, ylo, yhi, zlo, zhi");
 }

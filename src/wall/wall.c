@@ -218,7 +218,8 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	w->softening[k] = 1;
 	if (sim->legacy == TS_LEGACY_LIGGGHTS) /* corrects contacts of particles only */
 		return TS_OK;
-	return ts_heat_softening(sim, ts_heat_of(sim), wall, particle, &self->where, &w->softening[k]);
+	return ts_heat_softening(sim, ts_heat_of(sim), ts_wall_model(w, sim), wall, particle, &self->where,
+				 &w->softening[k]);
 }
 
 static enum ts_status make_laws_of_type(struct ts_instance *self, struct tsim *sim, int type)

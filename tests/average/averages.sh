@@ -317,4 +317,31 @@ grep -v 'data for' star.txt >star
 [ "$(awk 'NF == 4 && $3 > 0 && $1 > 0' all | wc -l)" -gt 4 ]
 report 'rows of all columns' $? all
 same 'all columns of an array' star all
+# Faces of style s follow the particles only when lists are built: what is below them is in the lowest bin, with any skin.
+for skin in 0.03 0.002; do
+	cat >in.shrink <<END
+units si
+boundary f f s
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+$(for z in 0.2 0.2 0.2 0.8 0.8; do n=$((n + 1)); echo "create_atoms 1 single 0.$n 0.$n $z units box"; done)
+set group all diameter 0.05 density 1000
+neighbor $skin bin
+region low block INF INF INF INF INF 0.5 units box
+group low region low
+velocity all set 0 0 1 units box
+velocity low set 0 0 -1 units box
+fix m all nve/sphere
+timestep 1e-4
+compute c all chunk/atom bin/1d z lower 0.1 units box
+compute n all property/chunk c count
+variable s equal sum(c_n)
+thermo_style custom step v_s
+thermo 10
+run 40
+END
+	"$TSIM" -in in.shrink -log none >out 2>&1
+	[ "$(awk '/^ +[0-9]+ +[0-9]+ *$/ { printf "%s ", $2 }' out)" = '5 5 5 5 5 ' ]
+	report "bins in a box that shrinks, skin $skin" $? out
+done
 finish

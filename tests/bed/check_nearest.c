@@ -76,7 +76,7 @@ START_TEST(nearest_agree_with_all_pairs)
 
 		place_points(&box, 1);
 		for (int k = 0; k < 3; k++) {
-			ck_assert(ts_nearest_find(&box, (const double(*)[3])x, tag, N, wanted[k], reach[k],
+			ck_assert(ts_nearest_find(&box, 3, (const double(*)[3])x, tag, N, wanted[k], reach[k],
 						  row) == TS_OK);
 			for (size_t i = 0; i < N; i++)
 				check_neighbours(&box, i, wanted[k]);
@@ -93,7 +93,7 @@ START_TEST(nearest_of_lonely_points)
 	place_points(&box, 0.05);
 	for (int i = 0; i < 20; i++)
 		x[i * 20][1] += 1 + 0.01 * i;
-	ck_assert(ts_nearest_find(&box, (const double(*)[3])x, tag, N, MOST, 0.02, row) == TS_OK);
+	ck_assert(ts_nearest_find(&box, 3, (const double(*)[3])x, tag, N, MOST, 0.02, row) == TS_OK);
 	for (size_t i = 0; i < N; i++)
 		check_neighbours(&box, i, MOST);
 	for (int i = 0; i < N; i++) {
@@ -101,7 +101,7 @@ START_TEST(nearest_of_lonely_points)
 		x[i][1] = i / 8 % 8;
 		x[i][2] = i / 64;
 	}
-	ck_assert(ts_nearest_find(&box, (const double(*)[3])x, tag, N, 4, 1, row) == TS_OK);
+	ck_assert(ts_nearest_find(&box, 3, (const double(*)[3])x, tag, N, 4, 1, row) == TS_OK);
 	for (size_t i = 0; i < N; i++)
 		check_neighbours(&box, i, 4);
 }
@@ -113,7 +113,7 @@ START_TEST(nearest_of_few_points)
 	const struct ts_box box = box_of(TS_FACE_PERIODIC);
 
 	place_points(&box, 1);
-	ck_assert(ts_nearest_find(&box, (const double(*)[3])x, tag, 4, 3, 1, row) == TS_OK);
+	ck_assert(ts_nearest_find(&box, 3, (const double(*)[3])x, tag, 4, 3, 1, row) == TS_OK);
 	for (size_t i = 0; i < 4; i++) {
 		bool seen[4] = { false };
 

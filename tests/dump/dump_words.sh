@@ -85,4 +85,27 @@ rejects "$three
 compute e all ke
 dump 1 all custom 1 all.dump id c_e
 run 1" "'c_e' is a single number, expected numbers of particles"
+# A sequence of steps ends: the run goes on, and its last frame is written. No frame is before `delay`.
+prints 'units si
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+create_atoms 1 single .5 .5 .5 units box
+set atom 1 diameter 0.1 density 1000
+fix m all nve
+timestep 1e-4
+variable next equal stride(0,20,10)
+dump f all custom 25 stride.dump id x
+dump_modify f every v_next
+dump d all custom 10 delay.dump id x
+dump_modify d first yes delay 25
+thermo v_next
+run 50
+print "at $(step)"' 'at 50'
+frames() { awk '/TIMESTEP/ { getline; printf "%s ", $1 }' "$1"; }
+[ "$(frames stride.dump)" = '10 20 ' ]
+report 'frames of a sequence' $? stride.dump
+[ "$(frames delay.dump)" = '30 40 50 ' ]
+report 'no frame before delay' $? delay.dump
+[ "$(awk '/^ +[0-9]+ +[0-9]/ { printf "%s ", $1 }' out)" = '0 10 20 50 ' ]
+report 'rows of a sequence' $? out
 finish

@@ -679,4 +679,38 @@ fix a all addforce 0 0 v_q
 run 0
 print "is q $(fz[1]+fz[2]:%.17g) $(2*v_q:%.17g)"
 print "is p $(c_p[3]:%.17g) $(50*0.008*0.092:%.17g) 1"'
+# fix adapt: the mass, which is a keyword, too. 0.1 s of a force of 3 on a mass of 2.
+prints 'units si
+boundary f f f
+region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+set group all diameter 0.1 density 2500
+variable m equal 2
+fix a all adapt 1 atom mass v_m mass no
+fix f all addforce 3 0 0
+fix m all nve
+timestep 1e-3
+run 100
+print "mass $(mass(all)), v $(vx[1]:%.3f)"' 'mass 2, v 0.150'
+
+# fix drill/bit: the box is not periodic along z; dashpots alone have a limit of the time step, 2 m/c.
+bit='region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+create_atoms 1 single 0.3 0 -0.80 units box
+create_atoms 1 single 0 0.3 -0.81 units box
+create_atoms 1 single -0.3 0 -0.82 units box
+create_atoms 1 single 0 -0.3 -0.83 units box
+set group all diameter 0.1 density 1000
+timestep 1e-3'
+rejects "units si
+boundary f f p
+$bit
+fix bit all drill/bit 0 0 diameter 0.6 omega 5 wob 4 spring 20 damping 0.1
+run 1" 'the box is periodic along z'
+rejects "units si
+boundary f f f
+$bit
+fix bit all drill/bit 0 0 diameter 0.6 omega 5 wob 4 spring 0 damping 2000
+run 1" 'the time step 0.001 exceeds the stability limit 0.000523599'
 finish

@@ -84,7 +84,7 @@ fix hold all freeze
 fix w all wall/gran model hertz primitive type 2 zplane -0.093 temperature 500
 fix heat all heat/gran initial_temperature 273.15 area_correction '${correction/legacy/yes}' store_contact_data yes
 variable y equal 1/(0.91/1e7+0.96/2e7)*(0.91+0.96)/1e9
-variable factor string '"$([[ $correction = yes ]] && echo v_y || echo 1)"'
+variable factor string '"$([[ $correction = yes ]] && echo "(v_y^(2/3))" || echo 1)"'
 variable d equal 0.1-${factor}*0.007
 run 1
 compute q all reduce max f_wallHeatFlux
@@ -288,4 +288,85 @@ for scheme in euler exact; do
 	awk '$3 > 300 && $3 < 400 { n++ } END { exit n < 100 }' whole1.dump
 	report "$scheme: heat has spread" $?
 done
+# The exponent of area_correction is that of the law of the contact: 1.5 of hertz, 1 of hooke; of the wall, or of the types.
+warm='units si
+boundary f f f
+region box block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
+create_box 2 box
+neighbor 0.002 bin
+fix m1 all property/global youngsModulus peratomtype 5e6 6e6
+fix m2 all property/global poissonsRatio peratomtype 0.3 0.25
+fix m3 all property/global coefficientRestitution peratomtypepair 2 0.6 .5 .5 .7
+fix m4 all property/global coefficientFriction peratomtypepair 2 0.4 .3 .3 .2
+fix m5 all property/global thermalConductivity peratomtype 43 17
+fix m6 all property/global thermalCapacity peratomtype 490 800
+fix m7 all property/global youngsModulusOriginal peratomtype 5e9 6e9
+fix m8 all property/global characteristicVelocity scalar 1
+timestep 1e-9'
+ratio='1/((1-0.09)/5e6+(1-0.0625)/6e6)*((1-0.09)/5e9+(1-0.0625)/6e9)'
+# corrected WALL PAIR EXPONENT
+corrected() {
+	prints "$warm
+create_atoms 1 single 0 0 0.0045 units box
+set group all diameter 0.01 density 2500
+$2
+fix heat all heat/gran initial_temperature 300 area_correction yes
+fix w all wall/gran model $1 primitive type 2 zplane 0 temperature 500
+fix move all nve/sphere
+run 1
+variable d equal 0.005-0.0005*($ratio)^(1/$3)
+print \"heat \$(f_heatFlux[1]/(4*43*17/60*200*sqrt(PI*(0.005^2-v_d^2))):%.4f)\"" 'heat 1.0000'
+}
+corrected hooke 'pair_style gran model hertz
+pair_coeff * *' 1
+corrected hertz 'pair_style gran model hooke
+pair_coeff * *' 1.5
+corrected hertz '' 1.5
+# mixed LAW OTHERS EXPONENT
+mixed() {
+	prints "$warm
+create_atoms 1 single 0 0 0 units box
+create_atoms 2 single 0.0095 0 0 units box
+set group all diameter 0.01 density 2500
+pair_style granular
+pair_coeff 1 1 $2 1e6 1 tangential linear_nohistory 0 0
+pair_coeff 2 2 $2 1e6 1 tangential linear_nohistory 0 0
+pair_coeff 1 2 $1 1e6 1 tangential linear_nohistory 0 0
+fix heat all heat/gran initial_temperature 300 area_correction yes
+fix move all nve/sphere
+set atom 1 property/atom Temp 400
+run 1
+variable d equal 0.01-0.0005*($ratio)^(1/$3)
+print \"heat \$(f_heatFlux[2]/(4*43*17/60*100*sqrt(PI*(0.005^2-v_d^2/4))):%.4f)\"" 'heat 1.0000'
+}
+mixed hooke hertz 1
+mixed hertz hooke 1.5
+
+# Heat to a fluid is not one to walls.
+prints "$warm
+create_atoms 1 single 0.012 0.013 0.011 units box
+set group all diameter 0.01 density 2500
+fix heat all heat/gran initial_temperature 400 store_contact_data yes
+flow_style projection cells 8 8 8 viscosity 1.8e-5 density 1.2
+fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 exchange ranz_marshall
+fix f all freeze
+fix move all nve/sphere
+run 2
+print \"\$(round(1e4*f_heatFlux[1]/(PI*0.01*2*0.026*100))/1e4) to the fluid, \$(f_wallHeatFlux[1]) to walls\"" '-1 to the fluid, 0 to walls'
+
+# Scheme exact has the flows of the state at the start of a run, too.
+prints "$warm
+create_atoms 1 single 0 0 0 units box
+create_atoms 2 single 0.0095 0 0 units box
+set group all diameter 0.01 density 2500
+pair_style gran model hertz tangential history
+pair_coeff * *
+fix heat all heat/gran initial_temperature 300 scheme exact
+fix move all nve/sphere
+set atom 1 property/atom Temp 400
+compute c all pair/gran/local heatFlux
+compute s all reduce sum c_c
+thermo_style custom step c_s
+run 0
+print \"heat \$(abs(c_s)/(4*43*17/60*100*sqrt(PI*(0.005^2-0.00475^2))):%.6f)\"" 'heat 1.000000'
 finish

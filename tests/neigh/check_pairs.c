@@ -81,7 +81,8 @@ START_TEST(pairs)
 	struct found found = { { 0 }, { 0 } };
 
 	scatter(&box);
-	ck_assert_int_eq(ts_pairs_visit(&box, (const double(*)[3])x, POINTS, cutoff, visit, &found), TS_OK);
+	ck_assert_int_eq(ts_pairs_visit(&box, 3, (const double(*)[3])x, POINTS, cutoff, visit, &found),
+			 TS_OK);
 	for (int i = 0; i < POINTS; i++)
 		ck_assert_int_eq(found.count[i], brute(&box, cutoff, i));
 	for (int k = 0; k < 3; k++)
@@ -94,9 +95,9 @@ START_TEST(few)
 	struct ts_box box = box_of(0);
 	struct found found = { { 0 }, { 0 } };
 
-	ck_assert_int_eq(ts_pairs_visit(&box, NULL, 0, 1, visit, &found), TS_OK);
+	ck_assert_int_eq(ts_pairs_visit(&box, 3, NULL, 0, 1, visit, &found), TS_OK);
 	x[0][0] = x[0][1] = x[0][2] = 0.3;
-	ck_assert_int_eq(ts_pairs_visit(&box, (const double(*)[3])x, 1, 1, visit, &found), TS_OK);
+	ck_assert_int_eq(ts_pairs_visit(&box, 3, (const double(*)[3])x, 1, 1, visit, &found), TS_OK);
 	ck_assert_int_eq(found.count[0], 0);
 }
 END_TEST

@@ -210,4 +210,28 @@ compute m all reduce max c_s[1]
 print \$(c_m)" 'run 0'
 rejects "$three
 compute m all msd com perhaps" 'com'
+# In two dimensions particles have no images along z, however thin the box is. Two of three discs touch.
+for thick in 0.1 20; do
+	prints "units si
+dimension 2
+boundary f f p
+region b block -5 5 -5 5 -$thick $thick units box
+create_box 2 b
+create_atoms 1 single 0 0 0 units box
+create_atoms 2 single 1.0 0 0 units box
+create_atoms 1 single 4 4 0 units box
+set group all diameter 1.2 density 1000
+pair_style gran/hooke 1e4 NULL 50 NULL 0.5 0
+pair_coeff * *
+fix 1 all nve/sphere
+timestep 1e-6
+compute c all coord/atom 1.1
+compute k all contact/atom
+compute z all coordination
+compute m all mixing/contact type 1
+compute r all rdf 12 cutoff 1.2
+thermo_style custom step c_z[1] c_m
+run 0
+print \"\$(c_c[1]) \$(c_c[3]) \$(c_k[1]) \$(c_k[3]) \$(c_z[1]:%.4f) \$(c_m) \$(c_r[12][3]:%.4f)\"" '1 0 1 0 0.6667 1.5 0.6667'
+done
 finish

@@ -188,4 +188,83 @@ for threads in 1 2; do
 	moved $threads 'print nothing' again
 	for look in thermo print saved again; do same "bodies: $look, $threads threads: the same bits" none $look; done
 done
+# two: a body of two spheres that touch; its centre of mass at x = 0.054
+two() {
+	echo "units si
+boundary $1
+region box block 0 0.1 0 0.1 0 0.1 units box
+create_box 1 box
+create_atoms 1 single 0.05 0.05 0.05 units box
+create_atoms 1 single 0.058 0.05 0.05 units box
+set group all diameter 0.008 density 2500
+timestep 1e-5
+group body id 1 2"
+}
+
+# In a box that changes its length bodies keep their place, as single particles do, or are mapped by their centre of mass;
+# also after they have crossed a face, with parts of them on both sides.
+# deformed REMAP SHIFT PLACE...: places of both members and of a single particle, the body moved by SHIFT before
+deformed() {
+	prints "$(two 'p p p')
+create_atoms 1 single 0.05 0.08 0.05 units box
+set atom 3 diameter 0.008 density 2500
+group one id 3
+fix one one nve/sphere
+fix body body rigid single
+velocity all set 1 0 0 units box
+run $2
+velocity all set 0 0 0 units box
+fix deform all deform 1 x erate -10 remap $1
+run 1000
+print \"at \$(lx:%.6f) \$(x[1]:%.6f) \$(x[2]:%.6f) \$(x[3]:%.6f)\"" "at 0.090000 $3"
+}
+deformed none 0 '0.050000 0.058000 0.050000'
+deformed none 7000 '0.020000 0.028000 0.020000'
+# The box is from 0.005 to 0.095. The centre at 0.054 stays at the ratio 0.54: at 0.0536; that at 0.024 moves to 0.0266.
+deformed x 0 '0.049600 0.057600 0.050000'
+deformed x 7000 '0.022600 0.030600 0.023000'
+# Of a body across the face the second member is the image of the one beyond it, a length of the box away.
+deformed none 4500 '0.095000 0.013000 0.095000'
+rejects "$(two 'p p p')
+fix body body rigid single
+fix deform all deform 1 x erate -10 remap v
+run 1" 'cannot be used with fix rigid'
+
+# Gravity is the sum of the weights of the members: what changes the forces on them changes it, too.
+# falls LINES WHAT: velocity of the body after 100 steps, by that of a free fall
+falls() {
+	prints "$(two 'f f f')
+fix gravity all gravity 10 vector 0 0 -1
+$1
+fix body body rigid single
+run 100
+print \"falls \$(abs(vcm(body,z))/0.01:%.6f)\"" "falls $2"
+}
+falls '' 1.000000
+falls 'fix stop all setforce 0 0 0' 0.000000
+falls 'fix stop all setforce NULL NULL 0' 0.000000
+falls 'fix stop all planeforce 0 0 1' 0.000000
+falls 'fix stop all lineforce 1 0 0' 0.000000
+falls 'group half id 1
+fix stop half setforce 0 0 0' 0.500000
+falls 'fix stop all freeze' 0.000000
+
+# Force and torque of a body are those on its members, in directions in which it is held, too.
+prints "$(two 'f f f')
+fix push all addforce 0 0 -3
+fix body body rigid single force * off off off torque * off off off
+run 10
+print \"force \$(f_body[1][9]:%g), moved \$(f_body[1][3]-0.05:%g)\"" 'force -6, moved 0'
+
+prints "$(two 'f f f')
+fix body body rigid single
+fix w all wall/reflect xhi 0.09
+run 1" '*2 particles of its group belong to rigid bodies, which it does not reflect'
+prints "$(two 'f f f')
+fix body body rigid single
+run 1
+group g id 2
+delete_atoms group g compress no
+run 1
+print \"\$(count(all)) left\"" '*1 rigid bodies lack members, which delete_atoms has deleted' '0 left'
 finish

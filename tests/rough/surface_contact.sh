@@ -132,4 +132,16 @@ no 'waves in the wrong order' 'are not in this order' 'fix t all surface/voxel s
 run 0'
 no 'no wave' 'no wave that is periodic' 'fix t all surface/voxel selfaffine deviation 1 hurst 0.8 roll 0.95 shortest 0.95 longest 0.95 seed 1 type 1 cells 64 64
 run 0'
+# -check knows that a constant pressure cannot be carried.
+cat >in.hard <<'END'
+units si
+region b block 0 .04 0 .04 -0.005 .04 units box
+create_box 1 b
+fix S all surface/voxel constant 0 type 1 cells 10 10 base -0.004
+compute c all surface/contact S winkler 1e9 pressure 1e3 hardness 1e2
+thermo_style custom step c_c
+run 1
+END
+refused 'pressure above the hardness' 'cannot be carried' -in in.hard
+refused 'pressure above the hardness, -check' 'cannot be carried' -check -in in.hard
 finish

@@ -70,4 +70,17 @@ report 'included scripts are found beside the script' $? out
 "$TSIM" -sweep 'n=7,8' -in beside/in.main -results swept >out 2>&1 </dev/null
 report 'a study knows the variables of such scripts' $? out
 rejects 'include nowhere/at/all' "cannot open script 'nowhere/at/all': No such file"
+# -check and -explain go with `shell cd` into folders that the run makes, and back.
+prints 'shell mkdir post post/deep
+shell cd post/deep
+print "x" file a.txt
+shell cd ../..
+shell cd post
+shell rm deep/a.txt
+shell cd ..
+shell rmdir post/deep
+shell rmdir post
+print "done"' done
+"$TSIM" -check -in in.script -log none >out 2>&1 && grep -q 'no errors' out
+report '-check of folders that are made' $? out
 finish

@@ -144,4 +144,10 @@ off 'too many variables' 2 '-vary takes at most 8' -calibrate q=2 -vary 'a=1 b=1
 off 'no script' 2 '-calibrate needs a script' -calibrate q=2 -vary a=1
 off 'a script that is not there' 1 "'in.none'" -calibrate q=2 -vary a=1 -in in.none
 off 'a start that fails' 1 'failed with exit status 3: c is too large' -calibrate q=2 -vary c=1 -var fail 0.5 -in in.closed
+# The sensitivities that are told are those of all runs, the last one, too: y = mu^2 + 1 has 1.007 at 1.00688, and the secants
+# from there to the runs before, 0.66 and 0.744.
+printf 'variable mu index 0.5\nprint "RESULT y $(v_mu^2+1)"\n' >in.square
+calibrate 'y=2' -vary 'mu=0.5:0.1:10' -in in.square -results square
+awk '/^d ln/ { getline; getline; ok = $1 == "y" && $2 > 0.65 && $2 < 0.75 } END { exit !ok }' out
+report 'sensitivities after the last run' $? out
 finish
