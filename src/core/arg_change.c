@@ -10,6 +10,8 @@ struct comparison {
 	struct tsim *sim;
 	const struct ts_instance *inst;
 	const char *what, *lines;
+	const char *next;	   /* line behind the last one that was found */
+	const struct ts_arg *mode; /* the argument whose mode has the present ones; NULL: none */
 	struct ts_words words;
 	struct ts_str *out;
 	struct ts_str before, now; /* values of the present argument in the restart file and in the script */
@@ -73,17 +75,41 @@ static void normalise_value(struct ts_str *out, const char *text, size_t n)
 	}
 }
 
-static bool find_saved_value(struct comparison *c, const struct ts_arg *row)
+/* The line with the argument's name between two lines, or NULL. */
+static const char *find_line(const char *from, const char *to, const struct ts_arg *row)
 {
 	size_t n = strlen(row->name);
 
-	for (const char *line = c->lines; *line; line += strcspn(line, "\n"), line += *line != 0) {
-		if (strncmp(line, row->name, n) != 0 || line[n] != ' ')
-			continue;
-		normalise_value(&c->before, line + n, strcspn(line, "\n") - n);
-		return true;
-	}
-	return false;
+	for (const char *line = from; *line && line != to; line += strcspn(line, "\n"), line += *line != 0)
+		if (strncmp(line, row->name, n) == 0 && line[n] == ' ')
+			return line;
+	return NULL;
+}
+
+/* Lines are in the order of the rows, and arguments of modes have the same names in each of them: the search begins behind the
+ * last line. Only rows of the style itself may be in another order, in the file of another version. */
+static bool find_saved_value(struct comparison *c, const struct ts_arg *row)
+{
+	const char *line = find_line(c->next, NULL, row);
+	size_t n = strlen(row->name), length;
+
+	if (!line && !c->mode)
+		line = find_line(c->lines, c->next, row);
+	if (!line)
+		return false;
+	length = strcspn(line, "\n");
+	normalise_value(&c->before, line + n, length - n);
+	c->next = line + length + (line[length] != 0);
+	return true;
+}
+
+/* Index of the word behind the keyword of an argument; 0: none, or no keyword. */
+static size_t find_keyword(const struct comparison *c, const struct ts_arg *row)
+{
+	for (size_t k = 0; k + 1 < c->words.n && !(row->flags & TS_POSITIONAL); k++)
+		if (ts_streq(c->words.word[k].text, row->name))
+			return k + 1;
+	return 0;
 }
 
 /* The place of the word that sets the argument: the one behind its keyword, or the one with its value. */
@@ -91,11 +117,11 @@ static const struct ts_place *place_of_argument(const struct comparison *c, cons
 {
 	struct ts_str word = { 0 };
 	const struct ts_place *place = NULL;
+	size_t k = find_keyword(c, row);
 
-	for (size_t k = 0; k + 1 < c->words.n && !(row->flags & TS_POSITIONAL); k++)
-		if (ts_streq(c->words.word[k].text, row->name))
-			return &c->words.word[k + 1].place;
-	for (size_t k = 0; k < c->words.n && !place; k++) {
+	if (k)
+		return &c->words.word[k].place;
+	for (k = c->mode ? find_keyword(c, c->mode) : 0; k < c->words.n && !place; k++) {
 		normalise_value(&word, c->words.word[k].text, strlen(c->words.word[k].text));
 		if (word.length && c->now.length >= word.length &&
 		    strncmp(ts_str_text(&word), ts_str_text(&c->now), word.length) == 0)
@@ -109,12 +135,14 @@ static enum ts_status refuse_change(const struct comparison *c, const struct ts_
 {
 	const char *kind = ts_kind_name(c->inst->style->kind);
 	const bool has_id = c->inst->id && *c->inst->id;
+	const bool named = c->mode && !(c->mode->flags & TS_POSITIONAL);
 
 	return ts_fail(&c->sim->error, TS_STATE, place_of_argument(c, row),
-		       "%s: %s is '%s' here but '%s' in the restart file, and the saved state is valid only "
+		       "%s: %s%s%s is '%s' here but '%s' in the restart file, and the saved state is valid "
+		       "only "
 		       "with that; use it again, or %s%s%s",
-		       c->what, row->name, is ? ts_str_text(&c->now) : "not given",
-		       was ? ts_str_text(&c->before) : "not given",
+		       c->what, row->name, named ? " of " : "", named ? c->mode->name : "",
+		       is ? ts_str_text(&c->now) : "not given", was ? ts_str_text(&c->before) : "not given",
 		       has_id ? "give this " : "start without a restart file", has_id ? kind : "",
 		       has_id ? " another id to start without that state" : "");
 }
@@ -144,12 +172,17 @@ static enum ts_status compare_argument(struct comparison *c, const struct ts_arg
 
 static enum ts_status compare_arguments(struct comparison *c, const struct ts_arg *rows)
 {
+	const struct ts_arg *outer = c->mode;
+
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)c->inst->state + row->offset;
 
 		TS_TRY(compare_argument(c, row));
-		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
-			TS_TRY(compare_arguments(c, row->modes[*(const int *)field].args));
+		if (row->type != TS_ARG_MODE || *(const int *)field < 0)
+			continue;
+		c->mode = row;
+		TS_TRY(compare_arguments(c, row->modes[*(const int *)field].args));
+		c->mode = outer;
 	}
 	return TS_OK;
 }
@@ -157,9 +190,13 @@ static enum ts_status compare_arguments(struct comparison *c, const struct ts_ar
 enum ts_status ts_args_changes(struct tsim *sim, const struct ts_instance *inst, const char *what,
 			       const char *lines, struct ts_words words, struct ts_str *out)
 {
-	struct comparison c = {
-		.sim = sim, .inst = inst, .what = what, .lines = lines, .words = words, .out = out
-	};
+	struct comparison c = { .sim = sim,
+				.inst = inst,
+				.what = what,
+				.lines = lines,
+				.next = lines,
+				.words = words,
+				.out = out };
 	enum ts_status status = compare_arguments(&c, inst->style->args);
 
 	ts_str_release(&c.before);

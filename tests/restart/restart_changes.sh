@@ -180,4 +180,25 @@ for cut in 147 213; do
 	rows back.log | awk -v cut=$cut 'NF == 18 && $1 > cut' >back.rows
 	same "tables of a sieve, cut at $cut" whole.rows back.rows
 done
+
+# Arguments of modes have the same names on each axis: each is compared with its own.
+deforms() { # BEFORE NOW: prints the box after the second part
+	printf '%s\n' 'units si' 'boundary p p p' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' 'timestep 1e-3' \
+		"fix d all deform 1 $1" 'run 100' 'write_restart box.restart' clear 'read_restart box.restart' 'timestep 1e-3' \
+		"fix d all deform 1 $2" 'run 100' 'print "box $(lx:%.12g) $(ly:%.12g)"'
+}
+while read -r sides lx ly; do
+	sides=${sides//_/ }
+	prints "$(deforms "$sides" "$sides")" "box $lx $ly"
+done <<'END'
+x_erate_1_y_erate_2 1.2 1.4
+x_vel_1_y_vel_2 1.2 1.4
+y_vel_2_x_vel_1 1.2 1.4
+x_scale_2_y_scale_3 4 9
+END
+rejects "$(deforms 'x erate 1 y erate 200' 'x erate 1 y erate 1')" "R of y is '1' here but '200'"
+shows ':12:38: error' err
+report 'the word of that axis is shown' $? err
+rejects "$(deforms 'x vel 1 y vel 2' 'x vel 1')" "y is 'not given' here but 'vel'"
+rejects "$(deforms 'x vel 1' 'x vel 1 y vel 1')" "y is 'vel' here but 'not given'"
 finish
