@@ -31,7 +31,7 @@ bool ts_spherehash_visit(const struct ts_spherehash *hash, const double x[3], do
 double ts_spherehash_largest(const struct ts_spherehash *hash);
 /* Whether the sphere overlaps or touches one of the hash. */
 bool ts_spherehash_overlaps(const struct ts_spherehash *hash, const double x[3], double radius);
-/* The same including the periodic images of x. */
+/* The same including the periodic images of x; x and the spheres of the hash are in the box. */
 bool ts_spherehash_overlaps_periodic(const struct ts_spherehash *hash, const struct ts_box *box,
 				     const double x[3], double radius);
 

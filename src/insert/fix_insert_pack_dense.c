@@ -32,6 +32,7 @@ struct state {
  * new ones. */
 struct packing {
 	const struct ts_instance *region;
+	double face[3][2]; /* faces of the box, infinite where the region does not reach beyond */
 	size_t n, fixed;
 	double (*x)[3], (*v)[3], (*f)[3], *radius, largest;
 	double worst; /* largest overlap / sum of the radii */
@@ -74,6 +75,17 @@ static void free_packing(struct packing *p)
 	ts_free(p->radius);
 }
 
+static void find_faces(const struct ts_box *box, struct packing *p)
+{
+	double lo[3], hi[3];
+
+	ts_region_bounds(p->region, lo, hi);
+	for (int d = 0; d < 3; d++) {
+		p->face[d][0] = lo[d] < box->lo[d] ? box->lo[d] : -INFINITY;
+		p->face[d][1] = hi[d] > box->hi[d] ? box->hi[d] : INFINITY;
+	}
+}
+
 static enum ts_status init_packing(struct state *s, struct tsim *sim, struct packing *p)
 {
 	const struct ts_particles *all = sim->particles;
@@ -85,6 +97,7 @@ static enum ts_status init_packing(struct state *s, struct tsim *sim, struct pac
 			       .fixed = order.n,
 			       .step = FIRST_STEP,
 			       .mix = MIXED };
+	find_faces(&sim->domain->box, p);
 	p->x = ts_alloc(p->n + 1, sizeof *p->x);
 	p->v = ts_alloc(p->n + 1, sizeof *p->v);
 	p->f = ts_alloc(p->n + 1, sizeof *p->f);
@@ -132,6 +145,22 @@ static void add_region_force(struct packing *p, size_t i)
 		ts_axpy(2 * miss / size, up, p->f[i]);
 }
 
+/* The same of faces of the box. */
+static void add_face_forces(struct packing *p, size_t i)
+{
+	double reach = (1 + MARGIN) * p->radius[i];
+
+	for (int k = 0; k < 6; k++) {
+		const int d = k / 2, inwards = k % 2 ? -1 : 1;
+		double miss = reach - inwards * (p->x[i][d] - p->face[d][k % 2]);
+
+		if (!(miss > 0))
+			continue;
+		p->worst = fmax(p->worst, miss / reach);
+		p->f[i][d] += 2 * miss * inwards;
+	}
+}
+
 static enum ts_status compute_forces(struct packing *p, const struct tsim *sim)
 {
 	p->worst = 0;
@@ -139,8 +168,10 @@ static enum ts_status compute_forces(struct packing *p, const struct tsim *sim)
 		ts_scale(0, p->f[i], p->f[i]);
 	TS_TRY(ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n,
 			      2 * (1 + MARGIN) * p->largest, add_pair_force, p));
-	for (size_t i = p->fixed; i < p->n; i++)
+	for (size_t i = p->fixed; i < p->n; i++) {
 		add_region_force(p, i);
+		add_face_forces(p, i);
+	}
 	return TS_OK;
 }
 
@@ -271,7 +302,10 @@ const struct ts_style ts_fix_insert_pack_dense = {
 	       "from a mixture, fix particledistribution/discrete.\n\n"
 	       "New particles are placed at random and then moved apart: overlapping spheres repel each "
 	       "other with a force equal to the overlap, the surface of the region repels them, and "
-	       "particles that were present before do not move. The method FIRE (Bitzek et al., Phys. Rev. "
+	       "particles that were present before do not move. If the region reaches out of the box, the "
+	       "part "
+	       "of it in the box is filled, and the faces of the box repel, too. The method FIRE (Bitzek et "
+	       "al., Phys. Rev. "
 	       "Lett. 97 (2006) 170201) minimises the overlaps until none is left and each particle lies "
 	       "completely in the region. A gap of about 1e-3 of their radii is left between neighbours. The "
 	       "packing is random and isotropic, except for layers at the surface of the region. No "

@@ -35,13 +35,12 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_region_content now;
 	int64_t n;
 
 	if (!s->base.due)
 		return TS_OK;
 	n = ts_insertion_rate_count(self, sim, &s->rate);
-	TS_TRY(ts_insertion_region_content(self, sim, &now));
+	TS_TRY(ts_insertion_region_content(self, sim, NULL));
 	if (n > 0)
 		TS_TRY(ts_insertion_region_event(self, sim, n, n * s->base.maxattempt));
 	ts_insertion_rate_next(self, &s->rate);
@@ -77,8 +76,10 @@ const struct ts_style ts_fix_insert_rate_region = {
 		   "particledistribution/discrete with templates of particles.",
 	.doc = "Every insert_every steps, first in the step after the definition or in the step start, "
 	       "particles are inserted at random positions in the region. Their number is rate times "
-	       "interval, rounded up or down at random so that the mean is exact, until a total number or "
-	       "mass is reached. Particles for which no position was found are inserted later. For "
+	       "interval, rounded up or down at random so that the mean is exact, until a total number is "
+	       "reached. A total mass M gives the number M divided by the mean mass of a particle of the "
+	       "mixture, as in LIGGGHTS: the mass inserted differs from M if particles of the mixture have "
+	       "different masses. Particles for which no position was found are inserted later. For "
 	       "everything else see fix insert/pack.",
 	.example = "fix rain all insert/rate/region seed 32452867 distributiontemplate mix nparticles 1000 "
 		   "particlerate 5000 insert_every 1000 overlapcheck yes region sky",

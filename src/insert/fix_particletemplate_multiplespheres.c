@@ -34,9 +34,12 @@ const struct ts_style ts_fix_particletemplate_multiplespheres = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_ROWLESS,
 	.summary = "Template of several independent spheres that are inserted together",
 	.doc = "The spheres have the given positions relative to each other when they are inserted; "
-	       "afterwards each moves independently. A clump counts as one particle in numbers. Its mass is "
-	       "the density times the volume that the spheres fill together. This volume, and the bounding "
-	       "sphere by which positions in a region are checked, are computed by Monte Carlo integration "
+	       "afterwards each moves independently. A clump counts as one particle in the numbers that are "
+	       "inserted. In what fix insert/pack finds in its region, each sphere counts as a particle with "
+	       "its own mass and volume. The mass of a clump is the density times the volume that the "
+	       "spheres "
+	       "fill together. This volume, and the bounding sphere by which positions in a region are "
+	       "checked, are computed by Monte Carlo integration "
 	       "with the random stream of LIGGGHTS.\n\n"
 	       "The keyword orientation of fix insert/... rotates the clump. Each sphere gets the velocity "
 	       "and angular velocity of the insertion.",

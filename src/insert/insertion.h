@@ -129,6 +129,8 @@ double ts_insertion_reach(const struct ts_new_particles *list);
 /* Mass of a new particle, or of a new clump. */
 double ts_insertion_mass(const struct tsim *sim, const struct ts_new_particle *one);
 
+/* Moves x to its periodic image in the box: the overlap functions find images of places in the box, only. */
+void ts_insertion_wrap(const struct ts_box *box, double x[3]);
 /* Adds to the hash the present particles, of all ranks, that a new one may overlap which is placed between lo and hi, or at one of
  * the periodic images of these places, and reaches no farther than `reach`; tests whether a new particle overlaps those in the hash;
  * adds the new particle to it. */

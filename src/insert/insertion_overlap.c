@@ -2,6 +2,7 @@
 #include "insert/insertion.h"
 
 #include "box/domain.h"
+#include "particle/group_moments.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -19,6 +20,13 @@ struct space {
 	const double *lo, *hi;
 	double reach;
 };
+
+void ts_insertion_wrap(const struct ts_box *box, double x[3])
+{
+	int32_t image[3] = { 0 };
+
+	ts_wrap_point(box, x, image);
+}
 
 /* Distance of x, or of its nearest periodic image, from the space along d; in a sheared box 0 along the flow. */
 static double distance_along(const struct space *s, int d, double x)
@@ -44,7 +52,7 @@ static bool is_near(const struct space *s, const double x[3], double radius)
 	return near;
 }
 
-/* Those of this rank that are near, and the largest one: periodic images are looked for as far as that reaches. */
+/* Those of this rank that are near, wrapped into the box, and the largest one: periodic images are looked for as far as that reaches. */
 static enum ts_status pack_near(const struct ts_particles *p, const struct space *s, struct ts_parcel *out)
 {
 	size_t largest = 0;
@@ -52,9 +60,10 @@ static enum ts_status pack_near(const struct ts_particles *p, const struct space
 	for (size_t i = 1; i < p->n; i++)
 		largest = p->radius[i] > p->radius[largest] ? i : largest;
 	for (size_t i = 0; i < p->n; i++) {
-		const struct sphere one = { { p->x[i][0], p->x[i][1], p->x[i][2] }, p->radius[i] };
+		struct sphere one = { { p->x[i][0], p->x[i][1], p->x[i][2] }, p->radius[i] };
 
-		if (i == largest || is_near(s, p->x[i], p->radius[i]))
+		ts_insertion_wrap(s->box, one.x);
+		if (i == largest || is_near(s, one.x, one.radius))
 			TS_TRY(ts_parcel_add(out, &one, sizeof one));
 	}
 	return TS_OK;
@@ -101,6 +110,7 @@ bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *o
 	for (size_t k = 0; k < ts_insertion_spheres(one); k++) {
 		double x[3], radius = ts_insertion_sphere(one, k, x);
 
+		ts_insertion_wrap(&sim->domain->box, x);
 		if (ts_spherehash_overlaps_periodic(occupied, &sim->domain->box, x, radius))
 			return true;
 	}
@@ -113,6 +123,7 @@ enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occ
 	for (size_t k = 0; k < ts_insertion_spheres(one); k++) {
 		double x[3], radius = ts_insertion_sphere(one, k, x);
 
+		ts_insertion_wrap(&sim->domain->box, x);
 		if (ts_spherehash_add(occupied, x, radius) != TS_OK)
 			return ts_nomem(&sim->error);
 	}

@@ -5,9 +5,12 @@
 #include "box/domain.h"
 #include "insert/insertion_meshes.h"
 #include "math/exactsum.h"
+#include "math/quaternion.h"
+#include "math/vec3.h"
 #include "particle/particles.h"
 #include "particle/rank_sums.h"
 #include "particle/sphere_shape.h"
+#include "rigid/rigid.h"
 
 #include "base/banned.h"
 
@@ -41,14 +44,35 @@ static enum ts_status fail_no_volume(struct ts_instance *self, struct tsim *sim)
 	const struct ts_distribution *d = s->base.distribution->state;
 
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
-		       "fix %s: none of %lld random points in the box around region %s lies in it%s; %s a "
+		       "fix %s: none of %lld random points in the box around region %s lies in it and in the "
+		       "simulation box%s; %s a "
 		       "larger region or smaller particles (radius up to %g), or a larger ntry_mc",
 		       self->style->name, (long long)s->ntry_mc, s->region->id,
 		       s->base.all_in ? " and so deep that the largest particle fits" : "",
 		       s->base.all_in ? "take" : "it is too small:", d->largest);
 }
 
-/* Monte Carlo integration even where the volume is known: as in LIGGGHTS, it advances the stream of
+/* Bounding box of the part of the region that is in the simulation box. */
+static void find_bounds(const struct ts_insertion_region *s, const struct ts_box *box, double lo[3],
+			double hi[3])
+{
+	ts_region_bounds(s->region, lo, hi);
+	for (int d = 0; d < 3; d++) {
+		lo[d] = fmax(lo[d], box->lo[d]);
+		hi[d] = fmin(hi[d], box->hi[d]);
+	}
+}
+
+static bool is_within(const double x[3], const double lo[3], const double hi[3])
+{
+	bool within = true;
+
+	for (int d = 0; d < 3; d++)
+		within &= lo[d] <= x[d] && x[d] <= hi[d];
+	return within;
+}
+
+/* Volume of the part that is in the simulation box, where all particles are placed. Monte Carlo integration even where the volume is known: as in LIGGGHTS, it advances the stream of
  * positions. */
 static enum ts_status estimate_volume(struct ts_instance *self, struct tsim *sim)
 {
@@ -59,9 +83,10 @@ static enum ts_status estimate_volume(struct ts_instance *self, struct tsim *sim
 	double lo[3], hi[3], x[3];
 
 	ts_region_bounds(s->region, lo, hi);
+	find_bounds(s, &sim->domain->box, s->bounds[0], s->bounds[1]);
 	for (int64_t k = 0; k < s->ntry_mc; k++) {
 		draw_point(random, lo, hi, x);
-		if (!ts_region_contains(s->region, x))
+		if (!is_within(x, s->bounds[0], s->bounds[1]) || !ts_region_contains(s->region, x))
 			continue;
 		hits++;
 		deep += !deep && fits_region(s, x, d->largest);
@@ -127,35 +152,133 @@ enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *s
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "avoid_meshes"),
 			       "fix %s: avoid_meshes needs overlapcheck yes", self->style->name);
 	TS_TRY(ts_insertion_meshes_check(sim, &s->avoid));
-	if (!first)
-		return TS_OK;
+	if (!first) /* the box may have changed; regions with variables are checked in each insertion */
+		return s->base.wait > 0 && !ts_region_varies(s->region) ? check_region(self, sim) : TS_OK;
 	TS_TRY(ts_region_update(s->region, sim));
 	TS_TRY(check_region(self, sim));
 	*position_stream(s) = ts_minstd_start((s->base.seed + SEED_OFFSET - 1) % 2147483646 + 1);
 	return estimate_volume(self, sim);
 }
 
+/* Integrates the volume again if the shape of the region, or the part of it that is in the box, has changed. In a shrink-wrapped
+ * box each insertion does so, but as in LIGGGHTS for the next one. */
+static enum ts_status renew_volume(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_insertion_region *s = self->state;
+	const struct ts_box *box = &sim->domain->box;
+	bool changed = ts_region_reshapes(s->region);
+	double lo[3], hi[3];
+
+	find_bounds(s, box, lo, hi);
+	for (int d = 0; d < 3 && !is_shrink_wrapped(box); d++)
+		changed |= lo[d] != s->bounds[0][d] || hi[d] != s->bounds[1][d];
+	if (!changed)
+		return TS_OK;
+	TS_TRY(check_region(self, sim));
+	return estimate_volume(self, sim);
+}
+
+enum { MASS, VOLUME };
+
+struct content {
+	int64_t number;
+	struct ts_exactsum sum[2];
+};
+
+/* Spheres, except those of clumps. */
+static void count_spheres(const struct ts_insertion_region *s, const struct tsim *sim, struct content *c)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++) {
+		const struct ts_body *body = ts_rigid_body_of(sim, i);
+
+		if ((body && body->kind > 0) || !ts_region_contains(s->region, p->x[i]))
+			continue;
+		c->number++;
+		ts_exactsum_add(&c->sum[MASS], p->mass[i]);
+		ts_exactsum_add(&c->sum[VOLUME], ts_particle_volume(sim, p->radius[i]));
+	}
+}
+
+static const struct ts_template *find_template(const struct tsim *sim, const struct ts_body *body)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		const struct ts_template *t = fixes->item[k]->state;
+
+		if (ts_streq(fixes->item[k]->style->name, "particletemplate/multisphere") && t->defined &&
+		    t->body.kind == body->kind)
+			return t;
+	}
+	return NULL;
+}
+
+/* The centre of the bounding sphere, as in LIGGGHTS; the centre of mass if the template does not exist any more. */
+static void find_middle(const struct tsim *sim, const struct ts_body *body, double x[3])
+{
+	const struct ts_template *t = find_template(sim, body);
+	double d[3], own[3], arm[3], m[3][3];
+
+	ts_scale(1, body->x, x);
+	if (!t)
+		return;
+	ts_sub(t->clump->middle, t->clump->centre, d);
+	ts_quaternion_matrix(t->body.q, m);
+	ts_rotate_back(m, d, own);
+	ts_quaternion_matrix(body->q, m);
+	ts_rotate(m, own, arm);
+	ts_add(x, arm, x);
+}
+
+/* While there are any, all particles and bodies are on all ranks when particles are inserted:
+ * ts_insertion_divides. */
+static void count_clumps(const struct ts_insertion_region *s, const struct tsim *sim, struct content *c)
+{
+	const struct ts_rigid *r = sim->rigid;
+
+	for (size_t b = 0; b < r->n; b++) {
+		const struct ts_body *body = &r->body[b];
+		double x[3];
+
+		if (!(body->kind > 0))
+			continue;
+		find_middle(sim, body, x);
+		ts_insertion_wrap(&sim->domain->box, x);
+		if (!ts_region_contains(s->region, x))
+			continue;
+		c->number++;
+		ts_exactsum_add(&c->sum[MASS], body->mass);
+		ts_exactsum_add(&c->sum[VOLUME], body->mass / body->density);
+	}
+}
+
+static void find_content(const struct ts_insertion_region *s, const struct tsim *sim,
+			 struct ts_region_content *out)
+{
+	struct content c = { 0, { ts_exactsum_start(), ts_exactsum_start() } };
+
+	count_spheres(s, sim, &c);
+	count_clumps(s, sim, &c);
+	ts_rank_sums_count(sim, &c.number);
+	ts_rank_sums_merge(sim, c.sum, 2);
+	*out = (struct ts_region_content){ .room = s->volume,
+					   .number = c.number,
+					   .mass = ts_exactsum_value(&c.sum[MASS]),
+					   .volume = ts_exactsum_value(&c.sum[VOLUME]) };
+}
+
 enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim *sim,
 					   struct ts_region_content *out)
 {
-	struct ts_insertion_region *s = self->state;
-	const struct ts_particles *p = sim->particles;
-	enum { MASS, VOLUME };
-	struct ts_exactsum sum[] = { ts_exactsum_start(), ts_exactsum_start() };
+	const struct ts_insertion_region *s = self->state;
 
 	TS_TRY(ts_region_update(s->region, sim));
-	*out = (struct ts_region_content){ .room = s->volume };
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_region_contains(s->region, p->x[i]))
-			continue;
-		out->number++;
-		ts_exactsum_add(&sum[MASS], p->mass[i]);
-		ts_exactsum_add(&sum[VOLUME], ts_particle_volume(sim, p->radius[i]));
+	if (out) {
+		TS_TRY(renew_volume(self, sim));
+		find_content(s, sim, out);
 	}
-	ts_rank_sums_count(sim, &out->number);
-	ts_rank_sums_merge(sim, sum, 2);
-	out->mass = ts_exactsum_value(&sum[MASS]);
-	out->volume = ts_exactsum_value(&sum[VOLUME]);
 	/* as in LIGGGHTS, the new volume is used from the next insertion on */
 	return is_shrink_wrapped(&sim->domain->box) ? estimate_volume(self, sim) : TS_OK;
 }
@@ -263,11 +386,7 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 	struct search search = { .s = s, .box = &sim->domain->box, .most_tries = most_tries };
 	enum ts_status status = TS_OK;
 
-	ts_region_bounds(s->region, search.lo, search.hi);
-	for (int d = 0; d < 3; d++) {
-		search.lo[d] = fmax(search.lo[d], search.box->lo[d]);
-		search.hi[d] = fmin(search.hi[d], search.box->hi[d]);
-	}
+	find_bounds(s, search.box, search.lo, search.hi);
 	if (s->base.overlapcheck)
 		status = ts_insertion_hash_near(sim, &search.occupied, search.lo, search.hi,
 						ts_insertion_reach(&s->base.list));
@@ -304,8 +423,10 @@ enum ts_status ts_insertion_region_scatter(struct ts_instance *self, struct tsim
 enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim *sim,
 					   struct ts_archive *archive)
 {
-	const struct ts_insertion_region *s = self->state;
+	struct ts_insertion_region *s = self->state;
 
 	TS_TRY(ts_insertion_archive(self, sim, archive));
+	if (ts_archive_has(archive, "bounds"))
+		TS_TRY(ts_archive_fixed(archive, "bounds", TS_SAVED_F64, s->bounds, 6));
 	return ts_template_archive_stream(archive, sim, "places", position_stream(s));
 }

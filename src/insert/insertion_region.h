@@ -13,7 +13,8 @@ struct ts_insertion_region {
 	int64_t ntry_mc; /* random points for the volume */
 	bool check_border, warn_region;
 	struct ts_words avoid; /* IDs of meshes that particles must not touch */
-	double volume;	       /* of the region, by Monte Carlo integration; saved */
+	double volume;	       /* of the part that is in the box, by Monte Carlo integration; saved */
+	double bounds[2][3];   /* of that part, when its volume was integrated; saved */
 };
 #define TS_INSERTION_REGION_SAVED(T) TS_INSERTION_SAVED(T), TS_SAVE_F64(T, place.volume)
 #define TS_INSERTION_REGION_ARGS(T)                                                                         \
@@ -34,12 +35,13 @@ struct ts_insertion_region {
 				"clumps with the sphere around them")
 
 enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *sim);
-/* Content of the region before an insertion: particles whose centres lie in it. */
+/* Content of the region before an insertion: particles and rigid clumps whose centres lie in it. */
 struct ts_region_content {
-	double room;	     /* volume of the region */
+	double room;	     /* volume of the part of the region that is in the box */
 	double volume, mass; /* of the particles */
 	int64_t number;
 };
+/* Evaluates variables of the region, and its content unless `out` is NULL. */
 enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim *sim,
 					   struct ts_region_content *out);
 /* Draws n particles, searches positions for them with at most `most_tries` trial positions in all, and

@@ -16,17 +16,9 @@ static inline void ts_unwrapped(const struct tsim *sim, size_t i, double x[3])
 	ts_unwrap_shear(&sim->domain->box, p->image[i], x);
 }
 
-/* Position of particle i in the box, and its image: between rebuilds of the contact list particles may be beyond a periodic
- * face. */
-static inline void ts_wrapped(const struct tsim *sim, size_t i, double x[3], int32_t image[3])
+/* Moves x to its periodic image in the box, and counts that in image[]. */
+static inline void ts_wrap_point(const struct ts_box *box, double x[3], int32_t image[3])
 {
-	const struct ts_box *box = &sim->domain->box;
-	const struct ts_particles *p = sim->particles;
-
-	for (int d = 0; d < 3; d++) {
-		x[d] = p->x[i][d];
-		image[d] = p->image[i][d];
-	}
 	for (int d = 0; d < 3; d++) {
 		const int32_t before = image[d];
 
@@ -35,6 +27,19 @@ static inline void ts_wrapped(const struct tsim *sim, size_t i, double x[3], int
 		if (box->shear.on && d == box->shear.gradient)
 			(void)ts_box_wrap_shear(box, x, image, image[d] - before);
 	}
+}
+
+/* Position of particle i in the box, and its image: between rebuilds of the contact list particles may be beyond a periodic
+ * face. */
+static inline void ts_wrapped(const struct tsim *sim, size_t i, double x[3], int32_t image[3])
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (int d = 0; d < 3; d++) {
+		x[d] = p->x[i][d];
+		image[d] = p->image[i][d];
+	}
+	ts_wrap_point(&sim->domain->box, x, image);
 }
 
 /* Number and mass of the particles in the group. */

@@ -373,4 +373,146 @@ run 1" 'need `fix ID all multisphere`'
 rejects "$stones 0 0 0 0.05 0.13 0 0 0.05
 $clumps orientation constant 1 2 3
 run 1" 'four numbers'
+
+# The volume of a region is that of its part in the box: 0.05 of it filled with spheres of the radius 0.02; one percent is three
+# deviations of the integral by 100000 points.
+unit='units si
+boundary BOUNDARY
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+timestep 1e-5
+fix move all nve/sphere
+fix one all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.02
+fix mix all particledistribution/discrete 32452843 1 one 1
+variable fill equal count(all)*4/3*PI*0.02^3'
+pack='fix fill all insert/pack seed 32452867 distributiontemplate mix overlapcheck no'
+for boundary in 'p p p' 'm m m'; do
+	prints "${unit/BOUNDARY/$boundary}
+region half block -1 1 0 1 0 1 units box
+$pack insert_every once region half volumefraction_region 0.05
+run 1
+print \"half \$(abs(v_fill/0.05-1)<0.01)\"" 'half 1'
+done
+rejects "${unit/BOUNDARY/p p p}
+region gone block 1.1 2 0 1 0 1 units box
+$pack insert_every once region gone volumefraction_region 0.05" 'lies in it and in the simulation box'
+# densely, all of it in the region and in the box
+prints "${unit/BOUNDARY/p p p}
+region half sphere 0 0.5 0.5 0.3 units box
+fix fill all insert/pack/dense seed 32452867 distributiontemplate mix region half volumefraction_region 0.4
+variable deep atom sqrt(x*x+(y-0.5)^2+(z-0.5)^2)+radius
+compute deep all reduce max v_deep
+thermo_style custom step c_deep
+run 1
+print \"dense \$(abs(v_fill/0.4/(2/3*PI*0.3^3)-1)<0.02) \$(bound(all,xmin)>=0.02) \$(c_deep<=0.3)\"" 'dense 1 1 1'
+
+# it is that of the step of the insertion: of a region with a variable, in a box that has changed
+prints "${unit/BOUNDARY/f f f}
+variable R equal 0.2+0.02*step
+region ball sphere 0.5 0.5 0.5 v_R units box
+$pack insert_every 10 region ball volumefraction_region 0.1
+run 11
+print \"grown \$(abs(v_fill/(0.1*4/3*PI*v_R^3)-1)<0.02) \$(v_R:%.2f)\"" 'grown 1 0.42'
+box_shrinks="$pack insert_every 10 region cube volumefraction_region 0.05
+run 1
+print \"first \$(abs(v_fill/0.05-1)<0.01)\"
+delete_atoms group all
+change_box all z final 0 0.5"
+cube='region cube block 0 1 0 1 0 1 units box'
+second='run 10
+print "second $(abs(v_fill/0.025-1)<0.01) $(count(all)) $(xcm(all,x):%.17g) $(xcm(all,z):%.17g)"'
+prints "${unit/BOUNDARY/p p p}
+$cube
+$box_shrinks
+write_restart shrunk.restart
+$second" 'first 1' '*second 1'
+grep '^second' out >second
+prints "read_restart shrunk.restart
+${unit#*create_box 1 box}
+$cube
+$pack insert_every 10 region cube volumefraction_region 0.05
+$second" "$(cat second)"
+rejects "${unit/BOUNDARY/f f f}
+$cube
+$box_shrinks
+run 10" 'region cube reaches from z = 0 to 1, beyond the fixed faces of the box at 0 and 0.5'
+# where nothing more is inserted the region does not matter
+prints "${unit/BOUNDARY/f f f}
+$cube
+${box_shrinks/insert_every 10/insert_every once}
+run 10
+print 'empty \$(count(all))'" 'empty 0'
+
+# A rigid clump counts once, where the centre of its bounding sphere is, also beyond a periodic face: of four that are asked for one goes, and one
+# comes; of more ten. Its volume is that of its spheres together, which nearly coincide: their sum is twice as large.
+counts() { # TARGET SPHERES RESULT
+	prints "${unit/BOUNDARY/p p p}
+unfix move
+unfix mix
+fix stone all particletemplate/multisphere 15485917 atom_type 1 density constant 2500 ntry 20000 nspheres 2 type 1 spheres 0 0 0 0.03 0.002 0 0 0.03
+fix mix all particledistribution/discrete 32452843 1 stone 1
+fix clumps all multisphere
+$cube
+$pack insert_every 10 all_in yes region cube $1
+run 1
+variable before equal \$(count(all)/2)
+displace_atoms all move 0 0 3 units box
+run 10
+variable same equal \$(count(all)/2-v_before)
+group gone id 1:$2
+delete_atoms group gone
+run 10
+print \"clumps $3\"" 'clumps 1 1 1'
+}
+counts 'particles_in_region 4' 2 '$(v_before==4) $(v_same==0) $(count(all)==8)'
+counts 'volumefraction_region 0.005' 20 '$(v_before>=40) $(v_same<=1) $(abs(count(all)/2-v_before)<=1)'
+counts 'mass_in_region 10' 20 '$(v_before>=30) $(v_same<=1) $(abs(count(all)/2-v_before)<=1)'
+
+# numbers printed by LIGGGHTS
+prints 'units si
+boundary f f f
+region box block 0 0.1 0 0.1 0 0.2 units box
+create_box 1 box
+timestep 1e-5
+fix pull all gravity 9.81 vector 0 0 -1
+fix stone all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 ntry 100000 spheres 0 0 0 0.004 0.005 0 0 0.003 0.002 0.004 0.001 0.003 type 1
+fix mix all particledistribution/discrete 32452843 1 stone 1
+fix move all multisphere
+region sky block 0 0.1 0 0.1 0.1 0.2 units box
+fix fill all insert/pack seed 32452867 distributiontemplate mix vel constant 0 0 -5 omega constant 10 20 30 orientation random insert_every 350 all_in yes region sky volumefraction_region 0.02
+run 701' '*inserted 45 particle' '*inserted 9 particle' '*inserted 10 particle'
+
+# No overlaps across periodic faces: with a particle that is beyond one until the next exchange, nor of spheres of clumps.
+laws='fix m1 all property/global kn peratomtypepair 1 1e3
+fix m2 all property/global kt peratomtypepair 1 1e3
+fix m3 all property/global gamman peratomtypepair 1 1
+fix m4 all property/global gammat peratomtypepair 1 1
+pair_style gran model hooke/stiffness
+pair_coeff * *
+compute touching all contacts'
+prints "${unit/BOUNDARY/p p p}
+$laws
+neighbor 0.08 bin
+create_atoms 1 single 0.99 0.5 0.5 units box
+set group all diameter 0.04 density 2500
+velocity all set 10 0 0 units box
+region near block 0.041 0.049 0.499 0.501 0.499 0.501 units box
+${pack/overlapcheck no/overlapcheck yes} check_dist_from_subdomain_border no insert_every once start 300 region near particles_in_region 1
+run 300
+print \"beyond \$(count(all)) \$(abs(x[1]-floor(x[1])-0.02)<1e-9)\"" 'beyond 1 1'
+for kind in 'multiplespheres 15485917' 'multisphere 15485917 type 1'; do
+	mover=multisphere
+	[ "$kind" = 'multiplespheres 15485917' ] && mover=nve/sphere
+	prints "${unit/BOUNDARY/p p p}
+$laws
+unfix mix
+unfix move
+fix clumps all $mover
+fix twin all particletemplate/$kind atom_type 1 density constant 2500 ntry 2000 nspheres 2 spheres 0 0 0 0.04 0.075 0 0 0.03
+fix mix all particledistribution/discrete 32452843 1 twin 1
+$cube
+${pack/overlapcheck no/overlapcheck yes} maxattempt 100 check_dist_from_subdomain_border no orientation random insert_every once region cube particles_in_region 600
+run 1
+print \"twins \$(f_fill[1]>200) \$(c_touching)\"" 'twins 1 0'
+done
 finish
