@@ -75,17 +75,6 @@ static void free_packing(struct packing *p)
 	ts_free(p->radius);
 }
 
-static void find_faces(const struct ts_box *box, struct packing *p)
-{
-	double lo[3], hi[3];
-
-	ts_region_bounds(p->region, lo, hi);
-	for (int d = 0; d < 3; d++) {
-		p->face[d][0] = lo[d] < box->lo[d] ? box->lo[d] : -INFINITY;
-		p->face[d][1] = hi[d] > box->hi[d] ? box->hi[d] : INFINITY;
-	}
-}
-
 static enum ts_status init_packing(struct state *s, struct tsim *sim, struct packing *p)
 {
 	const struct ts_particles *all = sim->particles;
@@ -97,7 +86,7 @@ static enum ts_status init_packing(struct state *s, struct tsim *sim, struct pac
 			       .fixed = order.n,
 			       .step = FIRST_STEP,
 			       .mix = MIXED };
-	find_faces(&sim->domain->box, p);
+	ts_insertion_region_faces(&s->place, &sim->domain->box, p->face);
 	p->x = ts_alloc(p->n + 1, sizeof *p->x);
 	p->v = ts_alloc(p->n + 1, sizeof *p->v);
 	p->f = ts_alloc(p->n + 1, sizeof *p->f);

@@ -63,6 +63,18 @@ static void find_bounds(const struct ts_insertion_region *s, const struct ts_box
 	}
 }
 
+void ts_insertion_region_faces(const struct ts_insertion_region *s, const struct ts_box *box,
+			       double face[3][2])
+{
+	double lo[3], hi[3];
+
+	ts_region_bounds(s->region, lo, hi);
+	for (int d = 0; d < 3; d++) {
+		face[d][0] = lo[d] < box->lo[d] ? box->lo[d] : -INFINITY;
+		face[d][1] = hi[d] > box->hi[d] ? box->hi[d] : INFINITY;
+	}
+}
+
 static bool is_within(const double x[3], const double lo[3], const double hi[3])
 {
 	bool within = true;

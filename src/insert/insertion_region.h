@@ -44,6 +44,9 @@ struct ts_region_content {
 /* Evaluates variables of the region, and its content unless `out` is NULL. */
 enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim *sim,
 					   struct ts_region_content *out);
+/* After that: the faces of the box beyond which the region reaches; infinite where it does not. */
+void ts_insertion_region_faces(const struct ts_insertion_region *s, const struct ts_box *box,
+			       double face[3][2]);
 /* Draws n particles, searches positions for them with at most `most_tries` trial positions in all, and
  * creates them. */
 enum ts_status ts_insertion_region_event(struct ts_instance *self, struct tsim *sim, int64_t n,
