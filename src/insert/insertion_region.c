@@ -84,8 +84,8 @@ static bool is_within(const double x[3], const double lo[3], const double hi[3])
 	return within;
 }
 
-/* Volume of the part that is in the simulation box, where all particles are placed. Monte Carlo integration even where the volume is known: as in LIGGGHTS, it advances the stream of
- * positions. */
+/* Volume of the part that is in the simulation box, where all particles are placed. Monte Carlo integration even where the volume
+ * is known: as in LIGGGHTS, it advances the stream of positions. */
 static enum ts_status estimate_volume(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_insertion_region *s = self->state;
