@@ -104,7 +104,6 @@ void ts_bond_reference_doubt(struct tsim *sim, const char *command, const struct
 		return;
 	ts_warn(&sim->log, where,
 		"%s: dumps have no orientations, so that particles keep those of now: shear, bending and "
-		"torsion of "
-		"bonds, and which of them break, are not those of the run that wrote the dump",
+		"torsion of bonds, and which of them break, are not those of the run that wrote the dump",
 		command);
 }

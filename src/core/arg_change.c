@@ -139,8 +139,7 @@ static enum ts_status refuse_change(const struct comparison *c, const struct ts_
 
 	return ts_fail(&c->sim->error, TS_STATE, place_of_argument(c, row),
 		       "%s: %s%s%s is '%s' here but '%s' in the restart file, and the saved state is valid "
-		       "only "
-		       "with that; use it again, or %s%s%s",
+		       "only with that; use it again, or %s%s%s",
 		       c->what, row->name, named ? " of " : "", named ? c->mode->name : "",
 		       is ? ts_str_text(&c->now) : "not given", was ? ts_str_text(&c->before) : "not given",
 		       has_id ? "give this " : "start without a restart file", has_id ? kind : "",

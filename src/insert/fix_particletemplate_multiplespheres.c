@@ -37,10 +37,8 @@ const struct ts_style ts_fix_particletemplate_multiplespheres = {
 	       "afterwards each moves independently. A clump counts as one particle in the numbers that are "
 	       "inserted. In what fix insert/pack finds in its region, each sphere counts as a particle with "
 	       "its own mass and volume. The mass of a clump is the density times the volume that the "
-	       "spheres "
-	       "fill together. This volume, and the bounding sphere by which positions in a region are "
-	       "checked, are computed by Monte Carlo integration "
-	       "with the random stream of LIGGGHTS.\n\n"
+	       "spheres fill together. This volume, and the bounding sphere by which positions in a region "
+	       "are checked, are computed by Monte Carlo integration with the random stream of LIGGGHTS.\n\n"
 	       "The keyword orientation of fix insert/... rotates the clump. Each sphere gets the velocity "
 	       "and angular velocity of the insertion.",
 	.example = "fix twins all particletemplate/multiplespheres 15485863 atom_type 1 density constant "

@@ -45,8 +45,8 @@ static enum ts_status fail_no_volume(struct ts_instance *self, struct tsim *sim)
 
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
 		       "fix %s: none of %lld random points in the box around region %s lies in it and in the "
-		       "simulation box%s; %s a "
-		       "larger region or smaller particles (radius up to %g), or a larger ntry_mc",
+		       "simulation box%s; %s a larger region or smaller particles (radius up to %g), or a "
+		       "larger ntry_mc",
 		       self->style->name, (long long)s->ntry_mc, s->region->id,
 		       s->base.all_in ? " and so deep that the largest particle fits" : "",
 		       s->base.all_in ? "take" : "it is too small:", d->largest);
