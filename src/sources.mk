@@ -443,6 +443,7 @@ library_sources = \
 	src/coupling/outside_grid.h \
 	src/coupling/reactions.c \
 	src/coupling/reactions.h \
+	src/coupling/sphere_rows.h \
 	src/coupling/stencil_batch.c \
 	src/coupling/stencil_batch.h \
 	src/coupling/volume_batch.c \

@@ -8,6 +8,8 @@
 #include "coupling/near_particles.h"
 #include "coupling/outside_grid.h"
 #include "coupling/reactions.h"
+#include "coupling/sphere_rows.h"
+#include "math/vec3.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -147,6 +149,12 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 		return;
 	}
 	style_of(self)->force(self, sim, i, &around, f, torque);
+	if (style_of(self)->row) {
+		const double n = ts_spheres_in_row(sim, 2 * sim->particles->radius[i]);
+
+		ts_scale(n, f, f);
+		ts_scale(n, torque, torque);
+	}
 	add_to_particle(s, sim->particles, i, f, torque);
 }
 

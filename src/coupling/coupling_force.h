@@ -41,6 +41,7 @@ struct ts_coupling_force_style {
 	 * is fluid. NULL: none. */
 	void (*forces)(const struct ts_instance *self, const struct tsim *sim, const size_t *of, size_t n,
 		       double (*f)[3], bool *inside);
+	bool row; /* the force is that of one sphere: in two dimensions a disc has that of a row of them */
 	bool at_rest;  /* does not depend on velocities: u, slip and gradient are not computed */
 	bool sheared;  /* needs the velocity gradient */
 	bool solved;   /* needs a fluid that is solved for */

@@ -188,7 +188,7 @@ static void apply_drag(const struct ts_instance *self, const struct tsim *sim, s
 		       const struct ts_slip *slip, const double w[3], struct drag_diagnostics *found)
 {
 	struct ts_drag *s = self->state;
-	const double c = ts_drag_style_of(self)->coefficient(s, slip);
+	const double c = ts_drag_coefficient(self, sim, slip);
 	const bool held = ts_drag_motion_prescribed(s, sim, i);
 	double most;
 

@@ -115,30 +115,33 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 			      .help = "uniform void fraction, if there is no fix void_fraction")
 
 /* The second half of each manual page. */
-#define TS_DRAG_DOC                                                                                      \
-	"u is the velocity of the fluid at the centre of the particle: by default interpolated\n"        \
-	"linearly, with `interpolation cell` that of the cell that contains the centre. f_ID[1],\n"      \
-	"f_ID[2] and f_ID[3] are the components of the total force on the particles of the group,\n"     \
-	"f_ID[4] is the largest particle Reynolds number. The equations of all laws typeset, with\n"     \
-	"assumptions, order and limits: doc/theory-drag.md.\n\n"                                         \
-	"The keyword `scheme` selects the integration in time. c = F/(u - v) is the drag coefficient\n"  \
-	"and tau = m/c the relaxation time. `explicit` applies the force at the present velocity,\n"     \
-	"which is stable for time steps below 2 tau. `exact` integrates the exponential relaxation\n"    \
-	"under drag and all other forces exactly over each time step, `implicit` uses the velocity at\n" \
-	"the end of the step; both are stable for any time step. They are applied after all fixes\n"     \
-	"that add forces, regardless of the order in the script, and after functions of tsim_on_step;\n" \
-	"several drags on one particle are integrated together. With velocity Verlet it is the\n"        \
-	"velocity at the half step that is exact. If a later fix sets the force (setforce, freeze,\n"    \
-	"planeforce, lineforce, enforce2d), or if the motion is prescribed (fix move, nve/noforce),\n"   \
-	"the drag is computed explicitly and acts on the fluid only. Particles that are frozen, that\n"  \
-	"no fix integrates, or that belong to rigid bodies get the explicit force; in rigid bodies it\n" \
-	"is stable below 2 tau. fix aveforce after this fix is refused with `exact` and `implicit`.\n\n" \
-	"If the fluid is solved for (flow_style projection), it receives the opposite of the force on\n" \
-	"the particles, to round-off, unless `two_way` is no. The exchange is implicit: the drag acts\n" \
-	"at the new velocity of the fluid. With `lagged yes` the fluid receives the force at its old\n"  \
-	"velocity, which is cheaper if there are few particles, since direct pressure solvers need\n"    \
-	"equal weights of all faces, but limits the time step h: h < 2 e rho/k, with k the sum of\n"     \
-	"F/(u - v) per volume; with scheme explicit h (k/(e rho) + 1/tau) < 2. The plan of a run\n"      \
+#define TS_DRAG_DOC                                                                                       \
+	"u is the velocity of the fluid at the centre of the particle: by default interpolated\n"         \
+	"linearly, with `interpolation cell` that of the cell that contains the centre. f_ID[1],\n"       \
+	"f_ID[2] and f_ID[3] are the components of the total force on the particles of the group,\n"      \
+	"f_ID[4] is the largest particle Reynolds number. The equations of all laws typeset, with\n"      \
+	"assumptions, order and limits: doc/theory-drag.md. In two dimensions, where masses and\n"        \
+	"forces are per unit depth, F is that of a row of 3/(2 d) spheres per unit depth, whose volume\n" \
+	"is that of the disc: forces by volume, relaxation times and terminal velocities are those of\n"  \
+	"spheres.\n\n"                                                                                    \
+	"The keyword `scheme` selects the integration in time. c = F/(u - v) is the drag coefficient\n"   \
+	"and tau = m/c the relaxation time. `explicit` applies the force at the present velocity,\n"      \
+	"which is stable for time steps below 2 tau. `exact` integrates the exponential relaxation\n"     \
+	"under drag and all other forces exactly over each time step, `implicit` uses the velocity at\n"  \
+	"the end of the step; both are stable for any time step. They are applied after all fixes\n"      \
+	"that add forces, regardless of the order in the script, and after functions of tsim_on_step;\n"  \
+	"several drags on one particle are integrated together. With velocity Verlet it is the\n"         \
+	"velocity at the half step that is exact. If a later fix sets the force (setforce, freeze,\n"     \
+	"planeforce, lineforce, enforce2d), or if the motion is prescribed (fix move, nve/noforce),\n"    \
+	"the drag is computed explicitly and acts on the fluid only. Particles that are frozen, that\n"   \
+	"no fix integrates, or that belong to rigid bodies get the explicit force; in rigid bodies it\n"  \
+	"is stable below 2 tau. fix aveforce after this fix is refused with `exact` and `implicit`.\n\n"  \
+	"If the fluid is solved for (flow_style projection), it receives the opposite of the force on\n"  \
+	"the particles, to round-off, unless `two_way` is no. The exchange is implicit: the drag acts\n"  \
+	"at the new velocity of the fluid. With `lagged yes` the fluid receives the force at its old\n"   \
+	"velocity, which is cheaper if there are few particles, since direct pressure solvers need\n"     \
+	"equal weights of all faces, but limits the time step h: h < 2 e rho/k, with k the sum of\n"      \
+	"F/(u - v) per volume; with scheme explicit h (k/(e rho) + 1/tau) < 2. The plan of a run\n"       \
 	"warns if the time step is larger. See doc/coupling.md."
 #define TS_DRAG_CROWD_DOC                                                                                \
 	"The void fraction is that of fix void_fraction, which must be defined before this fix, or\n"    \

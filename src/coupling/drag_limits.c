@@ -50,7 +50,7 @@ static void sum_coefficients(const struct ts_instance *self, const struct tsim *
 		ts_coupling_weights_faces(fluid, place, cell,
 					  (enum ts_coupling_interpolation)s->interpolation, weights);
 		ts_coupling_distribute_force(&fluid->grid, &weights[c], c, fluid->u[c],
-					     -ts_drag_style_of(self)->coefficient(s, &slip), 0, k, NULL);
+					     -ts_drag_coefficient(self, sim, &slip), 0, k, NULL);
 	}
 }
 
@@ -106,7 +106,7 @@ static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, d
 }
 
 /* The drag coefficient of particle i (force/velocity), and its diameter; 0: no fluid brakes it. */
-static double coefficient_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+static double coefficient_at(const struct ts_instance *self, const struct tsim *sim, size_t i,
 			     double *diameter)
 {
 	const struct ts_drag *s = self->state;
@@ -114,10 +114,10 @@ static double coefficient_at(const struct ts_instance *self, const struct ts_par
 	struct ts_slip slip = { .density = flow->density(s->flow), .viscosity = flow->viscosity(s->flow) };
 	double w[3];
 
-	if (!(slip.viscosity > 0) || !ts_drag_slip_at(self, p, i, &slip, w))
+	if (!(slip.viscosity > 0) || !ts_drag_slip_at(self, sim->particles, i, &slip, w))
 		return 0;
 	*diameter = slip.diameter;
-	return ts_drag_style_of(self)->coefficient(s, &slip);
+	return ts_drag_coefficient(self, sim, &slip);
 }
 
 /* Whether the force on particle i is explicit. */
@@ -135,7 +135,7 @@ void ts_drag_add_ground(const struct ts_instance *self, const struct tsim *sim, 
 
 	if (!is_explicit(s, p, i))
 		return;
-	rate = coefficient_at(self, p, i, &diameter) * p->imass[i];
+	rate = coefficient_at(self, sim, i, &diameter) * p->imass[i];
 	for (int d = 0; d < 3; d++)
 		if (ts_drag_acts_along(s, d))
 			sum->rate[d] += rate;
@@ -157,7 +157,7 @@ static struct relaxation_times relaxation_times_of(const struct ts_instance *sel
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		c = coefficient_at(self, p, i, &diameter);
+		c = coefficient_at(self, sim, i, &diameter);
 		t.largest = fmax(t.largest, diameter);
 		if (!(diameter > 0) || ts_drag_motion_prescribed(s, sim, i))
 			continue;

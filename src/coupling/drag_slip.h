@@ -3,6 +3,7 @@
 #define TS_COUPLING_DRAG_SLIP_H
 
 #include "coupling/drag_force.h"
+#include "coupling/sphere_rows.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
@@ -21,6 +22,14 @@ static inline bool ts_drag_motion_prescribed(const struct ts_drag *s, const stru
 
 	return p->imass[i] == 0 ||
 	       (!(p->mask[i] & s->moving_groups) && !sim->outside && !ts_rigid_member(p, i));
+}
+
+/* Force by slip velocity, by the law of the style. */
+static inline double ts_drag_coefficient(const struct ts_instance *self, const struct tsim *sim,
+					 const struct ts_slip *slip)
+{
+	return ts_drag_style_of(self)->coefficient(self->state, slip) *
+	       ts_spheres_in_row(sim, slip->diameter);
 }
 
 /* Mass of particle i, including added mass. */

@@ -62,8 +62,9 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 			"omega. C = 1 (law rubinow), or C = Re/Re_s (0.45 + (Re_s/Re - 0.45) exp(-0.05684\n"
 			"Re_s^0.4 Re^0.3)) (law oesterle), with Re = rho |w| d/mu and Re_s = rho d^2\n"
 			"|S|/mu. The torque is pi mu d^3 S. A fluid that is solved for loses the momentum\n"
-			"that the particles gain, but not the angular momentum. f_ID[1] ... [3] is the\n"
-			"total force.",
+			"that the particles gain, but not the angular momentum. In two dimensions force\n"
+			"and torque are those of a row of 3/(2 d) spheres per unit depth, whose volume is\n"
+			"that of the disc. f_ID[1] ... [3] is the total force.",
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"
 			   "fix curve all lift/magnus",
 		.cite = "S. I. Rubinow, J. B. Keller, J. Fluid Mech. 11 (1961) 447; B. Oesterle, T. Bui Dinh, "
@@ -77,5 +78,6 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 		TS_COUPLING_FORCE_SLOTS,
 	},
 	.force = add_force,
+	.row = true,
 	.sheared = true,
 };

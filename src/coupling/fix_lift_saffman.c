@@ -56,7 +56,8 @@ const struct ts_coupling_force_style ts_fix_lift_saffman = {
 			"(1 - 0.3314 sqrt a) exp(-Re/10) + 0.3314 sqrt a up to Re = 40 and C = 0.0524\n"
 			"sqrt(a Re) beyond (law mei). A sphere that moves slower than the fluid is pushed\n"
 			"to where the flow is faster. A fluid that is solved for loses the momentum that\n"
-			"the particles gain. f_ID[1] ... [3] is the total force.",
+			"the particles gain. In two dimensions the force is that of a row of 3/(2 d) spheres per unit\n"
+			"depth, whose volume is that of the disc. f_ID[1] ... [3] is the total force.",
 		.example = "flow_style projection cells 10 10 40 viscosity 1.0e-3 density 1000\n"
 			   "fix lift all lift/saffman",
 		.cite = "P. G. Saffman, J. Fluid Mech. 22 (1965) 385; R. Mei, Int. J. Multiphase Flow 18 "
@@ -69,5 +70,6 @@ const struct ts_coupling_force_style ts_fix_lift_saffman = {
 		TS_COUPLING_FORCE_SLOTS,
 	},
 	.force = add_force,
+	.row = true,
 	.sheared = true,
 };

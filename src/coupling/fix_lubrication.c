@@ -449,7 +449,9 @@ static const char *const doc_more[] = {
 	"drag/stokes), which this fix does not include. The sum is accurate where h << R. The relative "
 	"rotation about the line of centres has no force. At the gap `outer` the force jumps to zero: the "
 	"smaller `outer`, the larger the jump 6 pi mu R^2 v_n/outer. In two dimensions the forces are those "
-	"of spheres, too. Pairs of which one particle is not in the group have no force; neither have pairs "
+	"of single spheres, as are those of contacts, and not per unit depth: with a depth D of the "
+	"particles, give densities times D (masses per area), and forces of a fluid are not comparable with "
+	"them. Pairs of which one particle is not in the group have no force; neither have pairs "
 	"without contact forces (neigh_modify exclude, special_bonds). Forces of fluids that are solved for "
 	"(flow_style) are not changed.",
 	"For equal spheres the 1/h and the slip term are those of LAMMPS' pair lubricate (log 1), whose "

@@ -7,6 +7,7 @@
 #include "coupling/cell_order.h"
 #include "coupling/near_particles.h"
 #include "coupling/interpolation_weights.h"
+#include "coupling/sphere_rows.h"
 #include "flow/flow.h"
 #include "flow/fluid_slabs.h"
 #include "flow/flow_arguments.h"
@@ -279,9 +280,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 /* ---- exchange with particles */
 
-static double heat_conductance(const struct state *s, const struct ts_particles *p, size_t i,
-			       const double place[3])
+static double heat_conductance(const struct state *s, const struct tsim *sim, size_t i, const double place[3])
 {
+	const struct ts_particles *p = sim->particles;
 	const struct ts_fluid *fluid = s->fluid;
 	struct ts_slip slip = { .diameter = 2 * p->radius[i],
 				.empty = 1,
@@ -295,7 +296,7 @@ static double heat_conductance(const struct state *s, const struct ts_particles 
 	slip.speed = sqrt(square);
 	if (fluid->void_fraction)
 		slip.empty = ts_fluid_value(fluid, fluid->void_fraction, place, NULL);
-	return TS_PI * slip.diameter * s->conductivity *
+	return ts_spheres_in_row(sim, slip.diameter) * TS_PI * slip.diameter * s->conductivity *
 	       ts_nusselt_ranz_marshall(ts_slip_reynolds(&slip),
 					fluid->viscosity * s->capacity / s->conductivity);
 }
@@ -340,7 +341,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		s->heat_rate[i] = 0;
 		if (!ts_in_group(p, i, self->group) || !ts_coupling_locate(s->fluid, p->x[i], place, cell))
 			continue;
-		k = heat_conductance(s, p, i, place);
+		k = heat_conductance(s, sim, i, place);
 		there = ts_fluid_value(s->fluid, s->transport.value, place, NULL);
 		ts_heat_from_outside(s->heat, sim, i, k, there);
 		s->heat_rate[i] = k * (there - ts_heat_column(sim, s->heat->temperature)[i]);
@@ -575,7 +576,11 @@ const struct ts_style ts_fix_flow_scalar = {
 	       "the fluid enters with the T of the first cell.\n\n"
 	       "`exchange ranz_marshall` transfers to each particle of the group the heat per time Q = pi "
 	       "d^2 h (T - T_p), with h = Nu k/d, Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, "
-	       "and takes it from the fluid; T_p is the temperature of fix heat/gran.\n\n"
+	       "and takes it from the fluid; T_p is the temperature of fix heat/gran. In two dimensions, "
+	       "where "
+	       "heat is per unit depth, Q is that of a row of 3/(2 d) spheres per unit depth, whose volume "
+	       "is "
+	       "that of the disc.\n\n"
 	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, f_ID[2] the heat "
 	       "per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T; "
 	       "f_ID[i][j] is for cell i the centre (j = 1, 2, 3) and T (j = 4).",

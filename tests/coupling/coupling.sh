@@ -374,6 +374,38 @@ unfix d
 fix d all drag/gidaspow void 0.83
 run 0
 print 'is gidaspow \$(f_d[1]) \$(0.75*v_v*0.44*0.83*v_rho*v_w/v_d*0.83^(-2.65)*v_w)'"
+# a disc is a row of 3/(2 d) spheres per depth: forces by volume are those of a sphere, whatever the unit of length
+disc="${still/boundary p p p/dimension 2
+boundary p p p}"
+disc="${disc/0 1 units box/-0.5 0.5 units box}"
+disc="${disc/0.5 0.5 0.5 units/0.5 0.5 0 units}"
+agree 'laws for a disc' "$disc
+variable w equal 0.5
+variable mu equal 1e-3
+variable d equal 0.01
+variable n equal 1.5/v_d
+fix d all drag/stokes
+run 0
+print 'is stokes \$(f_d[1]) \$(v_n*3*PI*v_mu*v_d*v_w)'
+print 'is relaxation \$(mass[1]*v_w/f_d[1]) \$(2385*v_d^2/18/v_mu)'
+unfix d
+fix d all drag/ergun void 0.43
+run 0
+print 'is ergun \$(f_d[1]) \$(PI/4*v_d^2*(150*0.57*v_mu/(0.43*v_d^2)+1.75*1000*v_w/v_d)*v_w)'
+unfix d
+set atom 1 omega 0 0 7.3
+fix l all lift/magnus law rubinow
+fix m all nve/sphere
+run 0
+print 'is lift \$(f_l[2]) \$(-v_n*PI/8*1000*v_d^3*7.3*v_w)'
+variable t atom tqz
+compute t all reduce sum v_t
+print 'is torque \$(c_t) \$(-v_n*PI*v_mu*v_d^3*7.3)'"
+rejects "$disc
+fix d all drag/stokes
+fix m all nve
+timestep 26.6
+run 1" 'exceeds the stability limit 26.5 of explicit fix drag/stokes, 2 tau'
 # spin: Rubinow and Keller, and Kirchhoff's torque
 agree 'spin' "$still
 set atom 1 omega 0 0 7.3

@@ -111,7 +111,8 @@ START_TEST(limits)
 {
 	FILE *table = deck_table("Largest stable step of lagged drag: measured, theory");
 	const struct scene *s = &scenes[_i];
-	double c = 3 * PI * VISCOSITY * DIAMETER, cell = WIDTH * WIDTH;
+	double spheres = 1.5 / DIAMETER; /* in a disc, per depth */
+	double c = spheres * 3 * PI * VISCOSITY * DIAMETER, cell = WIDTH * WIDTH;
 	double k = PER_CELL * c / (DENSITY * cell), a = k / s->mass;
 	double said = 2 / (k * s->every + (s->theory == explicit_limit ? a : 0));
 	double theory = s->theory(a, k * s->every);
