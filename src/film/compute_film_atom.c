@@ -68,7 +68,8 @@ const struct ts_style ts_compute_film_atom = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Pressure, gap and velocity of the film of flow_style reynolds at each particle",
 	.doc = "For each particle of the group:\n\n"
-	       "  1            pressure of the film at its x and y\n"
+	       "  1            pressure of the film at its x and y: linear between the centres of cells and\n"
+	       "               up to the edges; beside solid cells that of the cell\n"
 	       "  2            gap h there\n"
 	       "  3            relative height s = (z - h1)/h of its centre: 0 at the lower surface, 1 at "
 	       "the upper\n"

@@ -75,6 +75,18 @@ double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool hi
 	return h + reach * (h - f->gap[other]);
 }
 
+void ts_film_end_gaps(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s,
+		      double h[2])
+{
+	h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
+	h[1] = s->high >= 0 ? f->gap[s->high]
+			    : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
+	if (s->low >= 0 && f->kind[s->low] == TS_FILM_SOLID)
+		h[0] = h[1];
+	else if (s->high >= 0 && f->kind[s->high] == TS_FILM_SOLID)
+		h[1] = h[0];
+}
+
 void ts_film_face_velocity(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j,
 			   double u[2])
 {
@@ -163,14 +175,48 @@ static struct face integrate_face(const struct ts_film *f, int axis, int i, int 
 	double d[2] = { 0 }, h[2];
 	int k = axis == 0 ? i : j;
 
-	if (s->low >= 0)
+	if (s->low >= 0 && f->kind[s->low] != TS_FILM_SOLID)
 		d[0] = width_beside(f, axis, k, false) / 2;
-	if (s->high >= 0)
+	if (s->high >= 0 && f->kind[s->high] != TS_FILM_SOLID)
 		d[1] = width_beside(f, axis, k, true) / 2;
-	h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
-	h[1] = s->high >= 0 ? f->gap[s->high]
-			    : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
+	ts_film_end_gaps(f, axis, i, j, s, h);
 	return ts_film_is_plain(f) ? integrate_segment(f->shape, h, d) : integrate_sections(f, axis, h, d);
+}
+
+int ts_film_cell_before(const struct ts_film *f, const struct ts_film_sides *s)
+{
+	const bool low = s->low >= 0 && f->kind[s->low] != TS_FILM_SOLID;
+	const bool high = s->high >= 0 && f->kind[s->high] != TS_FILM_SOLID;
+
+	return low == high ? -1 : low ? s->low : s->high;
+}
+
+/* Nothing flows through the face: in the half cell before it surfaces drag the fluid along, or a block that moves pushes it. In a
+ * cavity the pressure is that of the cavity. */
+static double pressure_of_no_flow(const struct ts_film *f, int axis, int i, int j, struct ts_film_sides s)
+{
+	const int cell = ts_film_cell_before(f, &s);
+	const enum ts_film_half half = cell == s.low ? TS_FILM_BELOW : TS_FILM_ABOVE;
+	const bool cavity = f->cavitation != TS_FILM_NONE;
+	double u[2], q = f->ride[half][axis][ts_film_face(f, axis, i, j)], rise, p;
+	struct face face;
+
+	if (f->kind[cell] == TS_FILM_GIVEN || (cavity && !(f->p[cell] > f->cavity_pressure)))
+		return f->p[cell];
+	face = integrate_face(f, axis, i, j, &s);
+	ts_film_face_velocity(f, axis, &s, i, j, u);
+	rise = 12 * f->viscosity * face.resistance * (face.gap[0] * u[0] + face.gap[1] * u[1] - q);
+	if (f->polar && axis == 1)
+		rise *= ts_film_centre(f, 0, i);
+	p = ts_film_expand(f, ts_film_reduce(f, f->p[cell]) + (half == TS_FILM_BELOW ? rise : -rise));
+	if (isnan(p))
+		return f->p[cell];
+	return cavity ? fmax(p, f->cavity_pressure) : p;
+}
+
+double ts_film_end_pressure(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s)
+{
+	return s->open ? f->edge_pressure[axis][s->high < 0] : pressure_of_no_flow(f, axis, i, j, *s);
 }
 
 static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s)

@@ -26,7 +26,7 @@ static void add_force(const struct ts_film *f, int axis, double force, double x,
 		*torque += axis == 0 ? -force * y : force * x;
 }
 
-/* Two neighbouring points between which p and h vary: centres of cells, or a centre and the edge. */
+/* Two neighbouring points between which p and h vary: centres of cells, or a centre and an edge or the side of a solid cell. */
 struct segment {
 	double h[2], p[2], x, y; /* x, y: the middle of the face */
 	double inner;		 /* pressure on the face */
@@ -79,20 +79,34 @@ static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, 
 static struct segment segment_of(const struct ts_film *f, int axis, int i, int j,
 				 const struct ts_film_sides *s)
 {
+	const int end = ts_film_cell_before(f, s);
 	struct segment g;
 
-	g.h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
-	g.h[1] = s->high >= 0 ? f->gap[s->high]
-			      : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
-	g.p[0] = s->low >= 0 ? f->p[s->low] : f->edge_pressure[axis][0];
-	g.p[1] = s->high >= 0 ? f->p[s->high] : f->edge_pressure[axis][1];
+	ts_film_end_gaps(f, axis, i, j, s, g.h);
+	for (int side = 0; side < 2; side++) {
+		const int cell = side ? s->high : s->low;
+
+		g.p[side] = end < 0 || cell == end ? f->p[cell] : ts_film_end_pressure(f, axis, i, j, s);
+	}
 	g.x = axis == 0 ? f->face[0][i] : ts_film_centre(f, 0, i);
 	g.y = axis == 1 ? f->face[1][j] : ts_film_centre(f, 1, j);
 	g.length = ts_film_face_length(f, axis, i, j);
 	g.inner = (g.p[0] + g.p[1]) / 2;
-	if (f->shape == TS_FILM_STEPPED && s->low >= 0 && s->high >= 0 && g.length > 0)
+	if (f->shape == TS_FILM_STEPPED && end < 0 && g.length > 0)
 		g.inner = pressure_at_step(f, axis, i, j, s, g.length);
 	return g;
+}
+
+/* The gap ends at the side of a solid cell. */
+static void add_block(const struct ts_film *f, struct ts_film_measures *m, int axis,
+		      const struct ts_film_sides *s, const struct segment *g)
+{
+	const bool after = s->high >= 0 && f->kind[s->high] == TS_FILM_SOLID;
+
+	if (s->low < 0 || s->high < 0)
+		return;
+	add_force(f, axis, (after ? 1 : -1) * (g->p[after] - f->ambient) * g->h[after] * g->length, g->x,
+		  g->y, m->pressure_force, NULL);
 }
 
 /* Of a segment: integrals of p dh, and for each surface of couette dp, together h dp. The sum of p dh and h dp is the
@@ -103,7 +117,7 @@ static void add_segment(const struct ts_film *f, struct ts_film_measures *m, int
 	struct ts_film_section a, b;
 	struct segment g;
 
-	if (!s.open)
+	if (!s.open && ts_film_cell_before(f, &s) < 0)
 		return;
 	g = segment_of(f, axis, i, j, &s);
 	a = ts_film_section(f, axis, g.h[0]);
@@ -117,6 +131,8 @@ static void add_segment(const struct ts_film *f, struct ts_film_measures *m, int
 	}
 	add_force(f, axis, -(g.inner - f->ambient) * (g.h[1] - g.h[0]) * g.length, g.x, g.y,
 		  m->pressure_force, NULL);
+	if (!s.open)
+		add_block(f, m, axis, &s, &g);
 }
 
 static void add_edges(const struct ts_film *f, struct ts_film_measures *m)

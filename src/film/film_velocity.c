@@ -201,11 +201,40 @@ static void sample_gap(const struct ts_film *f, const struct place at[2], struct
 		out->gap = least;
 }
 
+/* Linear between centres, and to the pressure on the edges. */
+static double sample_pressure(const struct ts_film *f, const struct place at[2])
+{
+	double p = interpolate(f, f->p, at);
+
+	for (int axis = 0; axis < 2; axis++) {
+		const int k = at[axis].cell;
+		const double away = at[axis].x - ts_film_centre(f, axis, k);
+		const int up = away > 0;
+
+		if (at[axis].apart > 0 || away == 0)
+			continue;
+		for (int side = 0; side < 2; side++) {
+			int cell[2] = { at[0].cell, at[1].cell }, face[2];
+			struct ts_film_sides s;
+
+			cell[1 - axis] = at[1 - axis].near[side];
+			face[axis] = k + up;
+			face[1 - axis] = cell[1 - axis];
+			s = ts_film_sides_of(f, axis, face[0], face[1]);
+			p += at[1 - axis].weight[side] * fabs(away) * 2 /
+			     (f->face[axis][k + 1] - f->face[axis][k]) *
+			     (ts_film_end_pressure(f, axis, face[0], face[1], &s) -
+			      f->p[ts_film_at(f, cell[0], cell[1])]);
+		}
+	}
+	return p;
+}
+
 static void sample_places(const struct ts_film *f, const struct place at[2], struct ts_film_point *out)
 {
 	size_t c = ts_film_at(f, at[0].cell, at[1].cell);
 
-	out->p = touches_solid(f, at) ? f->p[c] : interpolate(f, f->p, at);
+	out->p = touches_solid(f, at) ? f->p[c] : sample_pressure(f, at);
 	out->empty = f->empty[c];
 	for (int axis = 0; axis < 2; axis++)
 		for (int side = 0; side < 2; side++)

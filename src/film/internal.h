@@ -60,6 +60,13 @@ enum ts_status ts_film_solve_reduced(struct ts_film *f, ts_film_solve_fn *solve,
 struct ts_film_sides ts_film_sides_of(const struct ts_film *f, int axis, int i, int j);
 /* Gap on an edge of the grid next to a cell: extrapolated linearly from two cells, at least h/2. */
 double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool high);
+/* Gaps of both cells of a face; the one on an edge is that of ts_film_edge_gap, that of a solid cell the one before it. */
+void ts_film_end_gaps(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s,
+		      double h[2]);
+/* The cell with fluid beside a face that is an edge of the grid or the side of a solid cell; -1: there is none. */
+int ts_film_cell_before(const struct ts_film *f, const struct ts_film_sides *s);
+/* Pressure on such a face: the one given; where it is closed, that of the flow in the half cell before it. */
+double ts_film_end_pressure(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s);
 /* Length of a face. */
 double ts_film_face_length(const struct ts_film *f, int axis, int i, int j);
 /* Velocities of both surfaces along the axis at a face. */

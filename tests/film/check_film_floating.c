@@ -70,6 +70,80 @@ START_TEST(closed_slider)
 }
 END_TEST
 
+/* U = 1 on the lower surface, no flow: -h/2 dp/dx = -3/h, so that the stresses are -4/h and -2/h. */
+static struct ts_film_measures closed_forces(int n, enum ts_film_shape shape, double slope)
+{
+	struct ts_film f = film_open(n, 1, 1, 1);
+	struct ts_film_measures m;
+	struct ts_film_point low, high;
+
+	f.edge[0][0] = f.edge[0][1] = TS_FILM_NO_FLOW;
+	f.floating = true;
+	f.shape = shape;
+	film_fill(&f, f.velocity[0][0], 1);
+	for (int i = 0; i < n; i++)
+		f.gap[i] = 1 + slope * (1 - ts_film_centre(&f, 0, i));
+	solve(&f);
+	ts_film_measure(&f, &m);
+	ts_film_sample(&f, (double[]){ 0.013, 0.3 }, &low);
+	ts_film_sample(&f, (double[]){ 0.987, 0.3 }, &high);
+	if (slope == 0)
+		DECK_NEAR(high.p - low.p, 6 * 0.974, 1e-12);
+	ts_film_release(&f);
+	return m;
+}
+
+START_TEST(shear_up_to_closed_edges)
+{
+	const int cells[] = { 1, 2, 9 };
+	const enum ts_film_shape shape = _i ? TS_FILM_STEPPED : TS_FILM_LINEAR;
+	double error[2];
+
+	for (int k = 0; k < 3; k++) {
+		struct ts_film_measures m = closed_forces(cells[k], shape, 0);
+
+		DECK_NEAR(m.shear[0][0], -4, 1e-12);
+		DECK_NEAR(m.shear[1][0], -2, 1e-12);
+	}
+	for (int k = 0; k < 2; k++)
+		error[k] = closed_forces(10 << k, shape, 1).shear[0][0] + 4 * log(2);
+	ck_assert_msg(fabs(error[1]) < 1e-3 && error[0] / error[1] > 3.5, "errors %g, %g", error[0],
+		      error[1]);
+}
+END_TEST
+
+/* 1000 before a block that fills the gap, 0 behind it, or the other way round. */
+START_TEST(pressure_on_a_block)
+{
+	for (int side = 0; side < 2; side++) {
+		struct ts_film f = film_open(10, 2, 1, 1);
+		struct ts_film_point at;
+		struct ts_film_measures m;
+
+		f.shape = _i ? TS_FILM_STEPPED : TS_FILM_LINEAR;
+		f.ambient = 0;
+		f.edge_pressure[0][side] = 1000;
+		for (int j = 0; j < 2; j++)
+			for (int i = 4; i < 6; i++) {
+				f.kind[ts_film_at(&f, i, j)] = TS_FILM_SOLID;
+				f.gap[ts_film_at(&f, i, j)] = -0.1;
+			}
+		m = film_solve(&f);
+		DECK_NEAR(m.pressure_force[0], side ? -1000 : 1000, 1e-9);
+		DECK_NEAR(m.shear[0][0], 0, 1e-9);
+		ts_film_release(&f);
+
+		f = film_open(10, 2, 1, 1); /* without the block: linear up to the edges */
+		f.shape = _i ? TS_FILM_STEPPED : TS_FILM_LINEAR;
+		f.edge_pressure[0][side] = 1000;
+		film_solve(&f);
+		ts_film_sample(&f, (double[]){ 0.01, 0.9 }, &at);
+		DECK_NEAR(at.p, side ? 10 : 990, 1e-9);
+		ts_film_release(&f);
+	}
+}
+END_TEST
+
 static void refused(struct ts_film *f, enum ts_status status, const char *text)
 {
 	struct ts_error error = { .status = TS_OK };
@@ -129,6 +203,8 @@ int main(void)
 
 	tcase_add_test(tcase, steps_of_a_period);
 	tcase_add_test(tcase, closed_slider);
+	tcase_add_loop_test(tcase, shear_up_to_closed_edges, 0, 2);
+	tcase_add_loop_test(tcase, pressure_on_a_block, 0, 2);
 	tcase_add_test(tcase, refusals);
 	tcase_add_test(tcase, out_of_memory);
 	suite_add_tcase(suite, tcase);
