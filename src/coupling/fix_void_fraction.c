@@ -270,6 +270,8 @@ static enum ts_status make_field(struct ts_instance *self, struct tsim *sim, dou
 	int reach;
 
 	TS_TRY(check_reach(self, sim, largest, &reach));
+	/* with method centre it is 0, but forces that act back on the fluid use the same rows, and reach the next cells */
+	reach = reach > 1 ? reach : 1;
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
 	ts_fluid_clear(s->fluid, s->fluid->void_fraction);
 	ts_cell_order_each_rows(&s->order, ts_team(sim, s->order.sort->of.n),

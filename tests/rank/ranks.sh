@@ -173,6 +173,12 @@ E2
 report 'a ramp, alone' $? out
 ranks 3 -in in.ramp -log none -screen none -var out ramp.3
 same 'a ramp, three ranks' ramp.1.dump ramp.3.dump
+# Each grain in one cell: the void fraction needs no neighbours, the forces that act back on the fluid do.
+sed 's/all void_fraction/& method centre/' in.ramp >in.centre
+"$TSIM" -in in.centre -log none -screen none -var out centre.1 >out 2>&1
+report 'method centre, alone' $? out
+ranks 3 -in in.centre -log none -screen none -var out centre.3
+same 'method centre, three ranks' centre.1.dump centre.3.dump
 
 # The blocks of `processors`.
 sed 's/^processors.*/processors 1 1 2/' "$scenes/in.bed" >in.blocks
