@@ -5,6 +5,7 @@
 #include "core/report.h"
 #include "film/film_plane.h"
 #include "math/constants.h"
+#include "math/symmetric3.h"
 #include "polish/balance.h"
 #include "polish/wafer.h"
 #include "voxel/voxel_surface.h"
@@ -492,23 +493,59 @@ static void report_film(const struct ts_instance *self, const struct tsim *sim, 
 			       : "in equilibrium at all times: no motion of its own squeezes the film");
 }
 
-/* All columns in elastic contact: the stiffest pad. */
+/* Largest omega^2 of K q = omega^2 M q, with all columns in elastic contact: the stiffest pad. About the joint at j,
+ * K = k A [[1, -j_1, -j_2], [.., L_1^2/12 + j_1^2, j_1 j_2], [.., .., L_2^2/12 + j_2^2]]. */
+static double largest_rate(const struct state *s)
+{
+	const struct ts_voxel_field *f = &s->pad->field;
+	const double *j = s->joint, k = s->wafer.stiffness * s->area;
+	double size[2], rate[3], modes[3][3];
+
+	for (int d = 0; d < 2; d++)
+		size[d] = (double)f->n[d] * f->width[d];
+	ts_symmetric3_eigen((double[]){ k / s->mass,
+					k * (size[0] * size[0] / 12 + j[0] * j[0]) / s->inertia[0],
+					k * (size[1] * size[1] / 12 + j[1] * j[1]) / s->inertia[1],
+					-k * j[0] / sqrt(s->mass * s->inertia[0]),
+					-k * j[1] / sqrt(s->mass * s->inertia[1]),
+					k * j[0] * j[1] / sqrt(s->inertia[0] * s->inertia[1]) },
+			    rate, modes);
+	return fmax(rate[0], fmax(rate[1], rate[2]));
+}
+
+/* Both kicks are explicit: with y = c h/(2 m) and b = (2 m omega/c)^2 the two eigenvalues of a step have the product (1 - y)^2
+ * and a modulus below 1 while y < 2 and g(y) = 8 - 8 y + 4 y^2 - b y^2 (2 - y) > 0. Returns the first y beyond. */
+static double largest_damped_step(double b)
+{
+	const double bend = 8 - 4 * b; /* g' = 3 b y^2 + bend y - 8 */
+	double low = 0, high = fmin(2, (sqrt(bend * bend + 96 * b) - bend) / (6 * b));
+
+	if (8 - 8 * high + 4 * high * high - b * high * high * (2 - high) > 0)
+		return 2;
+	for (int k = 0; k < 60; k++) {
+		const double y = (low + high) / 2;
+
+		*(8 - 8 * y + 4 * y * y - b * y * y * (2 - y) > 0 ? &low : &high) = y;
+	}
+	return low;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
-	const struct ts_voxel_field *f = &s->pad->field;
-	double rate = s->wafer.stiffness * s->area / s->mass;
+	double rate, damping, limit;
 
 	report_film(self, sim, report);
 	if (s->motion == SETTLED || ts_film_flow_below(sim, self))
 		return TS_OK;
-	for (int d = 0; d < 2; d++) {
-		double size = (double)f->n[d] * f->width[d];
-
-		rate = fmax(rate, s->wafer.stiffness * s->area * size * size / 12 / s->inertia[d]);
-	}
-	return ts_report_limit(report, 2 / sqrt(rate), true, &self->where,
-			       "fix wafer, 2/omega with all columns of the pad in contact");
+	rate = largest_rate(s);
+	limit = 2 / sqrt(rate);
+	damping = s->damping / (2 * s->mass);
+	if (damping > 0)
+		limit = fmin(limit, largest_damped_step(rate / (damping * damping)) / damping);
+	return ts_report_limit(report, limit, true, &self->where,
+			       "fix wafer%s, with all columns of the pad in contact",
+			       damping > 0 ? " and its damping" : ", 2/omega");
 }
 
 /* ---- outputs ---- */
@@ -652,8 +689,13 @@ static const char doc[] =
 	"Their energy is convex, so there is only one; it is found by Newton's method. The run ends with a "
 	"message if the pad cannot carry the load or the moment of friction.\n\n"
 	"dynamic: height and slopes follow m z'' = N - P A - c z' and the same for the tilt. The motion "
-	"begins in equilibrium. The largest stable time step is 2/omega, with omega^2 the largest of k A/m "
-	"and k A L_d^2/(12 I_d).\n\n"
+	"begins in equilibrium. The largest stable time step is 2/omega, with omega^2 the largest "
+	"eigenvalue of M^-1 K for a pad of which all columns are in contact, M = diag(m, I_1, I_2) and\n\n"
+	"  K = k A [[1, -j_1, -j_2], [-j_1, L_1^2/12 + j_1^2, j_1 j_2], [-j_2, j_1 j_2, L_2^2/12 + "
+	"j_2^2]],\n\n"
+	"L_d the lengths of the wafer and j_d the place of the joint: the largest of k A/m and k A L_d^2/(12 "
+	"I_d) with the joint in the middle. With `damping` it is smaller, at most 4 m/c: damping is "
+	"explicit. A run with a larger step is refused.\n\n"
 	"The pad must be periodic along the axes along which it slides. Wafer and particles do not act on "
 	"each other.\n\n"
 	"On a film: where `upper_wafer` of flow_style reynolds names the fix, the pressure p of the film "

@@ -92,6 +92,15 @@ fix w all wafer pad settled stiffness 8 pressure v_p'
 nof 'a pressure that pulls' 'pressure is -1, expected a number > 0' 'fix w all wafer pad settled stiffness 8 pressure -1'
 refused 'by -check, too' 'pressure is -1, expected a number > 0' -check -in in.script
 nof 'an unstable step' 'time step' 'fix w all wafer pad dynamic mass 1e-6 inertia_1 1 inertia_2 1 stiffness 8 pressure 0.2'
+# 4 m/c; the first root of 8 - 8 y + 4 y^2 = b y^2 (2 - y), y = c h/(2 m), b = 4 m k A/c^2 = 21.25: 0.4; 2/omega about the joint
+shown() { awk "BEGIN { printf \"stability limit %g\", $1 }"; }
+wafer='fix w all wafer pad dynamic inertia_1 1e3 inertia_2 1e3 stiffness 8 pressure 0.2'
+nof 'much damping' "$(shown 4/1000)" "$wafer mass 1 damping 1e3
+timestep 0.00401"
+nof 'some damping' "$(shown 0.4)" "$wafer mass \$(64/21.25) damping \$(2*64/21.25)
+timestep 0.401"
+nof 'a joint beside the middle' "$(shown '2 / sqrt(32 + 64 / sqrt(28/3))')" "${wafer/inertia_1 1e3/inertia_1 \$(14\/3)} mass 2 joint_1 1
+timestep 0.276"
 nof 'a pad that leaves' 'it would leave the wafer' 'fix q all surface/voxel constant 1 type 1 cells 2 2 origin 1 0.5 size 1 1 move linear 0.1 0 0
 fix w all wafer q settled stiffness 8 pressure 0.2'
 # A pad that is deleted or defined anew between runs: what reads it says so, or reads the new one.
