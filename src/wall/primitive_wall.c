@@ -454,15 +454,64 @@ static enum ts_status refuse_recession(struct tsim *sim, const struct ts_instanc
 		       by->id);
 }
 
-/* Of the part in the box. */
+static bool is_within(const struct ts_primitive *p, const double lo[2], const double hi[2], double angle)
+{
+	const double at[2] = { p->centre[0] + p->radius * cos(angle), p->centre[1] + p->radius * sin(angle) };
+
+	return at[0] > lo[0] && at[0] < hi[0] && at[1] > lo[1] && at[1] < hi[1];
+}
+
+/* Angles at which the circle crosses the lines through the sides of a rectangle, ascending, the first again one turn later. */
+static int crossings(const struct ts_primitive *p, const double lo[2], const double hi[2], double cut[9])
+{
+	int n = 0;
+
+	for (int side = 0; side < 4; side++) {
+		const int d = side / 2;
+		const double t = ((side % 2 ? hi[d] : lo[d]) - p->centre[d]) / p->radius;
+
+		for (int sign = -1; sign <= 1 && fabs(t) < 1; sign += 2) {
+			const double turned = d * TS_PI / 2 + sign * acos(t);
+			const double angle = turned > TS_PI ? turned - 2 * TS_PI : turned;
+			int k = n++;
+
+			for (; k > 0 && cut[k - 1] > angle; k--)
+				cut[k] = cut[k - 1];
+			cut[k] = angle;
+		}
+	}
+	cut[n] = n ? cut[0] + 2 * TS_PI : 0;
+	return n;
+}
+
+/* Sum of the angles at which a circle lies within a rectangle. */
+static double angle_within(const struct ts_primitive *p, const double lo[2], const double hi[2])
+{
+	double cut[9], sum = 0;
+	const int n = crossings(p, lo, hi, cut);
+
+	if (n == 0)
+		return is_within(p, lo, hi, 1) ? 2 * TS_PI : 0;
+	for (int k = 0; k < n; k++)
+		if (is_within(p, lo, hi, (cut[k] + cut[k + 1]) / 2))
+			sum += cut[k + 1] - cut[k];
+	return sum;
+}
+
+/* Of the part in the box; of a cylinder around the box, which grains at the corners may touch, all. */
 static double primitive_area(const struct ts_instance *by, const struct tsim *sim, size_t element)
 {
 	const struct ts_primitive *p = &primitives_of(by)->primitive[element];
 	const struct ts_box *box = &sim->domain->box;
 	int axis = (int)p->shape % 3;
 
-	if (p->shape >= TS_XCYLINDER)
-		return 2 * TS_PI * p->radius * ts_box_length(box, axis);
+	if (p->shape >= TS_XCYLINDER) {
+		const int side[2] = { (axis + 1) % 3, (axis + 2) % 3 };
+		const double angle = angle_within(p, (double[]){ box->lo[side[0]], box->lo[side[1]] },
+						  (double[]){ box->hi[side[0]], box->hi[side[1]] });
+
+		return (angle > 0 ? angle : 2 * TS_PI) * p->radius * ts_box_length(box, axis);
+	}
 	return ts_box_length(box, (axis + 1) % 3) * ts_box_length(box, (axis + 2) % 3);
 }
 

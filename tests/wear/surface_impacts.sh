@@ -129,4 +129,32 @@ timestep 1e-7
 compute r all erotate/sphere
 run 6000
 print 'is work \$(f_b[4]/(5*mass(all)-ke-c_r)) 1 1e11'"
+# The area of a cylinder is that within the box, here of length 0.2 along x, y and z: whole; arcs at the four corners; half of it.
+# cylinder AXIS R CENTRES X Y Z: wear by a grain of diameter 0.01 at this place that the wall slides past
+cylinder() {
+	echo "units si
+atom_style granular
+newton off
+boundary f f f
+communicate single vel yes
+region box block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
+create_box 1 box
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+fix w all wall/gran model hertz tangential history primitive type 1 $1cylinder $2 $3 $4 shear $1 1
+create_atoms 1 single $5 $6 $7 units box
+set atom 1 diameter 0.01 density 2500
+fix h all setforce 0 0 0
+fix i all nve
+fix a all wear/archard surface w k 1e-4 hardness 1e8
+timestep 1e-5
+run 20
+variable depth vector f_a[9]
+print 'is area \$(f_a/sum(v_depth)/(0.2*$2)) \$($8)'"
+}
+agree 'a cylinder in the box' "$(cylinder y 0.08 0.01 -0.015 -0.015 0 0.08501 '2*PI')"
+agree 'arcs at the corners' "$(cylinder x 0.12 0 0 0 '$(0.11501/sqrt(2))' '$(-0.11501/sqrt(2))' '2*PI-8*acos(0.1/0.12)')"
+agree 'half of a cylinder' "$(cylinder z 0.06 0.1 0.02 0.04499 0.02 0 PI)"
 finish
