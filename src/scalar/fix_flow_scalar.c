@@ -577,10 +577,8 @@ const struct ts_style ts_fix_flow_scalar = {
 	       "`exchange ranz_marshall` transfers to each particle of the group the heat per time Q = pi "
 	       "d^2 h (T - T_p), with h = Nu k/d, Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, "
 	       "and takes it from the fluid; T_p is the temperature of fix heat/gran. In two dimensions, "
-	       "where "
-	       "heat is per unit depth, Q is that of a row of 3/(2 d) spheres per unit depth, whose volume "
-	       "is "
-	       "that of the disc.\n\n"
+	       "where heat is per unit depth, Q is that of a row of 3/(2 d) spheres per unit depth, whose "
+	       "volume is that of the disc.\n\n"
 	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, f_ID[2] the heat "
 	       "per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T; "
 	       "f_ID[i][j] is for cell i the centre (j = 1, 2, 3) and T (j = 4).",
