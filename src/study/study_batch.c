@@ -348,6 +348,21 @@ static enum ts_status find_use(struct ts_study *s, size_t script, const char *sc
 	return TS_OK;
 }
 
+/* Runs have one working folder; only `out` keeps their files apart. */
+static enum ts_status doubt_files(struct ts_study *s, size_t script, const char *screen)
+{
+	bool writes;
+
+	TS_TRY(ts_study_output_writes(s->sim, screen, &writes));
+	if (writes && !s->sets_out[script])
+		ts_warn(&s->sim->log, NULL,
+			"%s: %s has no variable `out`, so that all runs write the same files; let their "
+			"names begin "
+			"with ${out}/, which is the folder of the run",
+			s->option, s->script[script].path);
+	return TS_OK;
+}
+
 /* Runs a script with -check: its errors, and the variables it uses. */
 static enum ts_status check_script(struct ts_study *s, size_t script, const char *const *first)
 {
@@ -374,6 +389,7 @@ static enum ts_status check_script(struct ts_study *s, size_t script, const char
 	for (size_t k = 0; k < s->words.variables; k++)
 		TS_TRY(find_use(s, script, p.output, s->words.variable[k].name, &uses[k]));
 	TS_TRY(find_use(s, script, p.output, "out", &s->sets_out[script]));
+	TS_TRY(doubt_files(s, script, p.output));
 	s->sets_out[script] &= ts_study_words_find(&s->words, "out") == SIZE_MAX;
 	ts_files_remove(NULL, p.output);
 	return TS_OK;

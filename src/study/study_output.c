@@ -42,27 +42,42 @@ enum ts_status ts_study_output_error(struct tsim *sim, const char *path, struct 
 	return status;
 }
 
-enum ts_status ts_study_output_unused(struct tsim *sim, const char *path, const char *variable, bool *unused)
+/* Whether the output has this line. */
+static enum ts_status find_line(struct tsim *sim, const char *path, const char *wanted, bool *found)
 {
 	struct ts_lines l = { 0 };
-	struct ts_str wanted = { 0 }, line = { 0 };
+	struct ts_str line = { 0 };
 	bool more = true;
 	enum ts_status status = open_output(&l, sim, path);
 
-	*unused = false;
-	ts_str_addf(&wanted, "warning: variable '%s' was set from outside, but the script does not use it",
-		    variable);
-	while (status == TS_OK && !*unused) {
+	*found = false;
+	while (status == TS_OK && !*found) {
 		status = ts_lines_next_filled(&l, &more);
 		if (status != TS_OK || !more)
 			break;
 		join_words(&l, &line);
-		*unused = ts_streq(ts_str_text(&line), ts_str_text(&wanted));
+		*found = ts_streq(ts_str_text(&line), wanted);
 	}
 	ts_lines_close(&l);
-	ts_str_release(&wanted);
 	ts_str_release(&line);
 	return status;
+}
+
+enum ts_status ts_study_output_unused(struct tsim *sim, const char *path, const char *variable, bool *unused)
+{
+	struct ts_str wanted = { 0 };
+	enum ts_status status;
+
+	ts_str_addf(&wanted, "warning: variable '%s' was set from outside, but the script does not use it",
+		    variable);
+	status = find_line(sim, path, ts_str_text(&wanted), unused);
+	ts_str_release(&wanted);
+	return status;
+}
+
+enum ts_status ts_study_output_writes(struct tsim *sim, const char *path, bool *writes)
+{
+	return find_line(sim, path, "what it would write or change:", writes);
 }
 
 static enum ts_status read_study_line(struct ts_study_runs *runs, const struct ts_lines *l,

@@ -11,9 +11,10 @@
  * and, if the run has failed, its message: the line that has "error:" or "ERROR", otherwise the last one. */
 enum ts_status ts_study_output_read(struct ts_study_runs *runs, struct tsim *sim, const char *path);
 
-/* Whether the output has the warning that the script does not use a variable that was set for it; message of the
- * first error. */
+/* Whether the output has the warning that the script does not use a variable that was set for it; of -check, whether it lists
+ * files that the script would write; message of the first error. */
 enum ts_status ts_study_output_unused(struct tsim *sim, const char *path, const char *variable, bool *unused);
+enum ts_status ts_study_output_writes(struct tsim *sim, const char *path, bool *writes);
 enum ts_status ts_study_output_error(struct tsim *sim, const char *path, struct ts_str *message);
 
 #endif

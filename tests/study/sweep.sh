@@ -185,4 +185,11 @@ cp -r kept results && echo '3,4' >>results/runs.csv
 off 'a damaged table' 1 'results/runs.csv:4: error: expected' -sweep 'a=1,2' -in in.power
 touch results
 off 'a file in the place of the folder' 1 "cannot create the folder 'results'" -sweep 'a=1,2' -in in.power
+# Runs write the same files unless a variable `out` keeps them apart.
+printf 'variable a index 1\nvariable out index .\nprint "x" file ${out}/y.txt\nprint "STUDY y=$(v_a)"\n' >in.apart
+sed '/out index/d; s,.{out}/,,' in.apart >in.same
+"$TSIM" -sweep a=1,2 -in in.same -results same >out 2>&1 && grep -q "in.same has no variable .out., so that all runs write the same files" out
+report 'the same files' $? out
+"$TSIM" -sweep a=1,2 -in in.apart -results apart >out 2>&1 && ! grep -q 'has no variable' out && [ -f apart/1/y.txt ]
+report 'files of each run' $? out
 finish
