@@ -59,12 +59,13 @@ struct ts_dump_common {
 	struct ts_textfile out;
 	struct ts_str text, path; /* of the current frame */
 };
-#define TS_DUMP_ARGS(T)                                                                           \
-	TS_INT("every", T, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,            \
-	       .help = "steps between frames"),                                                   \
-		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL | TS_WRITES,               \
-			.help = "name of the file; `*` stands for the step, one file per frame; " \
-				"compressed if it ends in .gz")
+#define TS_DUMP_ARGS(T)                                                                                \
+	TS_INT("every", T, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,                 \
+	       .help = "steps between frames"),                                                        \
+		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL | TS_WRITES,                    \
+			.help = "name of the file; `*` stands for the step, one file per frame; "      \
+				"compressed if it ends in .gz; all ranks write one file together, so " \
+				"that `%` is a letter like others")
 /* Keywords of dump_modify that choose and order particles: part of dump_words of a style. */
 #define TS_DUMP_SELECTION "sort thresh region"
 #define TS_DUMP_SAVED(T) TS_SAVE_I64(T, common.last), TS_SAVE_I64(T, common.frames)

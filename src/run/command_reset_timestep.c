@@ -103,7 +103,9 @@ const struct ts_command_style ts_command_reset_timestep = {
 		.doc = "Sets the step counter. The simulated time is set to step times dt unless it is given. "
 		       "It is an error if there are fixes that average or sample over steps, such as fix "
 		       "ave/time, or if the time changes and there are fixes whose motion is a function of "
-		       "it, such as fix move, or fix wall/gran with `wiggle`.",
+		       "it, such as fix move, or fix wall/gran with `wiggle`. The next run computes all forces "
+		       "anew, as in LIGGGHTS and LAMMPS: those of dashpots from the velocities at the end of the "
+		       "last step, not from those half a step before.",
 		.example = "reset_timestep 0\n"
 			   "reset_timestep 0 time $(time)",
 		.args = args,
