@@ -91,7 +91,7 @@ struct ts_arg {
 	/* TS_ARG_REST with TS_TO_KEYWORD: name of a TS_ARG_INT row; if that was given before, at least as
 	 * many words are taken, even if they are keywords. */
 	const char *count;
-	size_t least; /* TS_ARG_REST with TS_TO_KEYWORD: so many words are taken, even if they are keywords */
+	size_t least; /* TS_ARG_REST with TS_TO_KEYWORD: there are so many words, even if they are keywords */
 	size_t most;  /* TS_ARG_REST with TS_TO_KEYWORD: no more words are taken; 0: any number */
 	/* TS_ARG_REST with TS_TO_KEYWORD: keywords and choices of these rows are taken as words, although
 	 * the table has keywords of the same name. */

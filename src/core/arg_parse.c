@@ -75,7 +75,7 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 			rest.n = k;
 	if (row->most && rest.n > row->most)
 		rest.n = row->most;
-	if (!rest.n && !(row->flags & TS_OPTIONAL))
+	if ((!rest.n || rest.n < row->least) && !(row->flags & TS_OPTIONAL))
 		return ts_arg_refuse(p, row, NULL, row->help);
 	p->next += rest.n;
 	if (!(row->flags & TS_REPEAT))

@@ -88,7 +88,8 @@ static void put_value(struct line *line, const struct ts_arg *row, int mode)
 		put_mode(line, row, mode);
 		break;
 	case TS_ARG_REST:
-		put(line, row, "c_k");
+		for (size_t k = 0; k < (row->least ? row->least : 1); k++)
+			put(line, row, "c_k");
 		line->rest |= !(row->flags & TS_TO_KEYWORD);
 		line->list = true;
 		break;

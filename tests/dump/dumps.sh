@@ -59,8 +59,8 @@ wrote 'a variable says when' 'variable s equal logfreq(2,1,2)
 dump a all custom 5 a.dump id
 dump_modify a every v_s
 run 9' a.dump
-{ frame 0 3 id 1 2 3; frame 5 3 id 1 2 3; frame 10 3 id 1 2 3; } >want
-wrote 'first, then from the delay on' 'dump a all custom 5 a.dump id
+{ frame 5 3 id 1 2 3; frame 10 3 id 1 2 3; } >want
+wrote 'the first frame from the delay on' 'dump a all custom 5 a.dump id
 dump_modify a first yes delay 4
 run 7
 run 4' a.dump

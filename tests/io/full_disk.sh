@@ -69,7 +69,7 @@ reason='(File too large|No space left on device)'
 
 full dump out.dump "out.dump' failed: $reason" 'dump d all custom 1 ${file} id x y z' 'run 1000'
 full 'compressed dump' out.gz "out.gz' failed" 'dump d all custom 1 ${file} id x y z' 'run 3000'
-full 'dump of bonds' out.bonds "out.bonds' failed: $reason" 'create_bonds many all all 1 0 1' \
+full 'dump of bonds' out.bonds "out.bonds' failed: $reason" 'create_bonds many all all 1 0 0.4' \
 	'compute b all bonds' 'dump d all local 1 ${file} c_b[1] c_b[2] c_b[4]' 'run 100'
 full 'dump for ParaView' 'out.*.vtp' "out.0.vtp' failed: $reason" 'create_atoms 1 random 3000 7 box' \
 	'set group all diameter 1e-3' 'timestep 1e-7' 'dump d all custom/vtk 1 ${file} id vx vy vz' 'run 10'
@@ -93,7 +93,7 @@ full print out.text "out.text.* $reason" 'label a' "print '$text' append \${file
 full 'averages' out.ave "out.ave' failed: $reason" 'fix a all ave/time 1 1 1 c_k file ${file}' 'run 5000'
 full 'broken bonds' out.broken "out.broken' failed: $reason" 'create_atoms 1 random 60 7 box' \
 	'variable u atom random(-1,1,5)' 'velocity all set v_u 0 0' 'set group all diameter 0.01' 'timestep 1e-6' \
-	'create_bonds many all all 1 0 1' 'fix b all bond/breakage file ${file}' 'run 3000'
+	'create_bonds many all all 1 0 0.4' 'fix b all bond/breakage file ${file}' 'run 3000'
 
 # what is there is whole up to the last frame, and a run without limits begins with it
 printf 'include scene\ndump d all custom 1 ${file} id x y z\nrun 1000\n' >in.full
