@@ -577,7 +577,7 @@ bad 'expected diameter, density or mass' 'variable s equal 1' 'fix a all adapt 1
 bad "has no number 'stif'; known: stiffness" 'variable s equal 1' \
 	'fix a all adapt 1 pair spring/dashpot stif 1 1 v_s'
 bad 'it is spring/dashpot' 'variable s equal 1' 'fix a all adapt 1 pair gran stif 1 1 v_s'
-bad 'expected atom or pair' 'variable s equal 1' 'fix a all adapt 1 kspace v_s'
+bad 'one or more of atom' 'variable s equal 1' 'fix a all adapt 1 kspace v_s'
 bad 'is -1 for particle' 'variable s equal -1' 'fix a all adapt 1 atom diameter v_s' 'run 1'
 bad "'3' is not a type" 'fix v all viscous 0.2 scale 3 1'
 bad 'is followed by a number > 0' 'fix v all viscous 0.2 scale 2'
