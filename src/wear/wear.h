@@ -123,13 +123,12 @@ extern const char *const ts_wear_doc_more[];
 	"when "                                                                                              \
 	"the first run begins make an impact only after they have left it. Two walls made of the same mesh " \
 	"have impacts of their own. "
-#define TS_WEAR_ELEMENTS_DOC                                                                                 \
-	"The elements of a mesh are its triangles, those of a height field its columns, those of a "         \
-	"primitive wall its planes or cylinders, whose area is that within the box (of a cylinder of which " \
-	"no part is: all). dump mesh/vtk (of "                                                               \
-	"meshes), dump voxel/vtk (of height fields), dump local, compute reduce and formulas read values "   \
-	"of each element. Sums over elements are exact, as those of compute reduce. Elements without "       \
-	"impacts have zeros. "
+#define TS_WEAR_ELEMENTS_DOC                                                                             \
+	"The elements of a mesh are its triangles, those of a height field its columns, those of a "     \
+	"primitive wall its planes or cylinders, whose area is that within the box (of a cylinder of "   \
+	"which no part is: all). dump mesh/vtk (of meshes), dump voxel/vtk (of height fields), dump "    \
+	"local, compute reduce and formulas read values of each element. Sums over elements are exact, " \
+	"as those of compute reduce. Elements without impacts have zeros. "
 /* The end of the manual of each law. */
 #define TS_WEAR_DOC                                                                                      \
 	TS_WEAR_IMPACT_DOC                                                                               \
