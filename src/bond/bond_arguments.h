@@ -51,18 +51,17 @@ bool ts_bond_any_damping(const struct ts_bond_damping *damping);
 		TS_BOND_DAMPING_ROW(T, f, TS_BOND_BENDING, "damping_bending", "the bending moment"),      \
 		TS_BOND_DAMPING_ROW(T, f, TS_BOND_TWIST, "damping_twist", "the torque")
 
-#define TS_BOND_MOMENT_DOC                                                                               \
-	"Damping: dashpots parallel to the four springs, 2 zeta sqrt(k m*) with the stiffness k "        \
-	"of the mode and the reduced mass, or moment of inertia, m* of the two particles. fix "          \
-	"damping/cundall gives the local damping of Cundall, which acts on all forces.\n\nBonds "        \
-	"are stress-free in the state in which they are created, or in which the first style with "      \
-	"moments is chosen, if that is later, with sections of the radii of that time; rest "            \
-	"lengths are those of create_bonds. Particles get a column `orientation` (unit quaternion) and " \
-	"must "                                                                                          \
-	"be integrated by fix nve/sphere. A bond that turns by more than 90 degrees between its "        \
-	"ends, that extends over half a periodic box, or to a member of a rigid body is an "             \
-	"error. In two dimensions the section is a circle as well.\n\nThe limit of the time step "       \
-	"includes bending and torsion, which limit short bonds; see doc/stability.md."
+#define TS_BOND_MOMENT_DOC                                                                             \
+	"Damping: dashpots parallel to the four springs, 2 zeta sqrt(k m*) with the stiffness k of "   \
+	"the mode and the reduced mass, or moment of inertia, m* of the two particles. fix "           \
+	"damping/cundall gives the local damping of Cundall, which acts on all forces.\n\nBonds are "  \
+	"stress-free in the state in which they are created, or in which the first style with "        \
+	"moments is chosen, if that is later, with sections of the radii of that time; rest lengths "  \
+	"are those of create_bonds. Particles get a column `orientation` (unit quaternion) and must "  \
+	"be integrated by fix nve/sphere. A bond that turns by more than 90 degrees between its "      \
+	"ends, that extends over half a periodic box, or to a member of a rigid body is an error. In " \
+	"two dimensions the section is a circle as well.\n\nThe limit of the time step includes "      \
+	"bending and torsion, which limit short bonds; see doc/stability.md."
 
 /* `turn`: turns the particles after they have moved. */
 #define TS_BOND_MOMENT_SLOTS_WITH(turn)                                                       \

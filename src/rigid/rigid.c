@@ -235,7 +235,7 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 	return TS_OK;
 }
 
-static bool body_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group)
+bool ts_rigid_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group)
 {
 	bool within = group == 0 && r->start[b] < r->start[b + 1]; /* all */
 
@@ -248,9 +248,11 @@ static bool body_in_group(const struct ts_rigid *r, const struct ts_particles *p
  * weight, as in LAMMPS, so that fixes that change the forces on members change this one, too. */
 static void accelerate_body(struct ts_rigid *r, struct ts_particles *p, size_t b, const double a[3])
 {
-	if (r->body[b].kind > 0)
+	if (r->body[b].kind > 0) {
 		ts_axpy(r->body[b].mass, a, r->body[b].external);
-	for (size_t k = r->start[b]; k < r->start[b + 1] && !(r->body[b].kind > 0); k++)
+		return;
+	}
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
 		if ((size_t)r->member[k] < p->n)
 			ts_axpy(p->mass[r->member[k]], a, p->f[r->member[k]]);
 }
@@ -270,7 +272,7 @@ enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3
 		ts_deferred_loops_run(sim);
 #pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
 	for (size_t b = 0; b < r->n; b++)
-		if (body_in_group(r, p, b, group))
+		if (ts_rigid_in_group(r, p, b, group))
 			accelerate_body(r, p, b, a);
 	return TS_OK;
 }

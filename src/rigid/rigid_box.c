@@ -5,14 +5,6 @@
 
 #include "base/banned.h"
 
-static bool is_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group)
-{
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-		if (ts_in_group(p, (size_t)r->member[k], group))
-			return true;
-	return false;
-}
-
 struct change {
 	double lo, hi; /* of the box after it */
 	bool map;
@@ -51,10 +43,11 @@ enum ts_status ts_rigid_change_box(struct tsim *sim, const double lo[3], const d
 	TS_TRY(ts_rigid_list(sim));
 #pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
 	for (size_t b = 0; b < r->n; b++) {
-		struct change c = { .map = r->start[b] < r->start[b + 1] && map &&
-					   is_in_group(r, sim->particles, b, group) };
+		struct change c = { .map = map && ts_rigid_in_group(r, sim->particles, b, group) };
 
-		for (int k = 0; r->start[b] < r->start[b + 1] && k < 3; k++) {
+		if (r->start[b] == r->start[b + 1])
+			continue;
+		for (int k = 0; k < 3; k++) {
 			c.lo = lo[k];
 			c.hi = hi[k];
 			if (c.lo < box->lo[k] || c.lo > box->lo[k] || c.hi < box->hi[k] || c.hi > box->hi[k])
