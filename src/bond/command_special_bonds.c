@@ -59,7 +59,9 @@ const struct ts_command_style ts_command_special_bonds = {
 		.doc = "By default the pair style acts between bonded particles as well, in addition to the "
 		       "bond force. With a first factor of 0 it does not: bonded particles interact by the "
 		       "bond alone, may overlap, and conduct no heat to each other (fix heat/gran). The "
-		       "contact force acts from the step after the bond breaks.",
+		       "contact force acts from the step after the bond breaks. In a periodic box so small that "
+		       "a particle touches two images of its partner, the nearest has the bond, the other the "
+		       "contact force.",
 		.example = "special_bonds lj 0 1 1 coul 1 1 1",
 		.args = args,
 		.state_size = sizeof(struct state),

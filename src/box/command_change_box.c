@@ -4,8 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "bond/bonds.h"
 #include "box/domain.h"
 #include "particle/exchange.h"
+#include "particle/identity.h"
 #include "particle/particles.h"
 #include "region/region.h"
 
@@ -40,6 +42,7 @@ struct work {
 	struct box now, set; /* now: box after the operations so far; set: box from which remap starts */
 	struct box before;   /* box before the last operation x, y or z that was not `volume` */
 	int changed;	     /* dimension of that operation, or -1 */
+	size_t crossing[3];  /* bonds that cross the periodic faces of the box before the command */
 };
 
 static double length(const struct box *b, int dim)
@@ -89,6 +92,36 @@ static enum ts_status change_length(struct work *w, const struct change *c, bool
 	return TS_OK;
 }
 
+static enum ts_status count_crossing_bonds(struct work *w)
+{
+	const struct ts_bonds *b = w->sim->bonds;
+	const struct ts_particles *p = w->sim->particles;
+	const struct ts_box *box = &w->sim->domain->box;
+	struct ts_identities map;
+
+	if (b->n)
+		TS_TRY(ts_identities(w->sim, false, &map));
+	for (size_t k = 0; k < b->n; k++) {
+		int32_t i = ts_identity_row(&map, b->tag[k][0]), j = ts_identity_row(&map, b->tag[k][1]);
+
+		for (int d = 0; i >= 0 && j >= 0 && d < 3; d++)
+			w->crossing[d] += ts_box_periodic(box, d) &&
+					  fabs(p->x[i][d] - p->x[j][d]) > 0.5 * ts_box_length(box, d);
+	}
+	return TS_OK;
+}
+
+/* A bond across a periodic face would extend through the whole box without it. */
+static enum ts_status refuse_crossing_bonds(const struct work *w, int dim)
+{
+	if (!w->crossing[dim])
+		return TS_OK;
+	return ts_fail(&w->sim->error, TS_STATE, w->where,
+		       "change_box boundary: %zu bonds cross the faces of %c, which would no longer be "
+		       "periodic; remove them before (delete_bonds)",
+		       w->crossing[dim], 'x' + dim);
+}
+
 /* Sets the boundary styles; the image counts of dimensions that become non-periodic are set to 0. */
 static enum ts_status change_faces(struct work *w, const struct change *c)
 {
@@ -97,9 +130,13 @@ static enum ts_status change_faces(struct work *w, const struct change *c)
 	enum ts_face face[3][2];
 
 	TS_TRY(ts_domain_read_faces(w->sim, c->face, w->where, face));
-	for (int d = 0; d < 3; d++)
-		for (size_t i = 0; ts_box_periodic(box, d) && face[d][0] && i < p->n; i++)
+	for (int d = 0; d < 3; d++) {
+		if (!ts_box_periodic(box, d) || !face[d][0])
+			continue;
+		TS_TRY(refuse_crossing_bonds(w, d));
+		for (size_t i = 0; i < p->n; i++)
 			p->image[i][d] = 0;
+	}
 	memcpy(box->face, face, sizeof face);
 	return TS_OK;
 }
@@ -267,6 +304,7 @@ static enum ts_status change_box(struct tsim *sim, void *state, const struct ts_
 	memcpy(w.now.lo, domain->box.lo, sizeof w.now.lo);
 	memcpy(w.now.hi, domain->box.hi, sizeof w.now.hi);
 	w.set = w.now;
+	TS_TRY(count_crossing_bonds(&w));
 	status = apply_operations(&w);
 	ts_arena_release(&w.arena);
 	TS_TRY(status);
@@ -305,7 +343,7 @@ const struct ts_command_style ts_command_change_box = {
 		       "Before and finally positions are wrapped into the periodic box, particles outside of fixed faces "
 		       "are lost (see thermo_modify lost), faces of style s and m are fitted to the "
 		       "particles, and the new box becomes the minimum box of m faces. In dimensions that are "
-		       "no longer periodic the image counts (ix iy iz) are set to 0.",
+		       "no longer periodic the image counts (ix iy iz) are set to 0; bonds across their faces are an error.",
 		.example = "change_box all x scale 1.1 y volume z volume remap units box\n"
 			   "change_box all z final 0 0.5 boundary p p f units box",
 		.args = args,

@@ -24,7 +24,7 @@ static void count_overlap(void *context, size_t i, size_t j, const double d[3])
 	double reach = t->p->radius[i] + t->p->radius[j];
 
 	if (ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->with) &&
-	    !(t->excluded && t->excluded(t->sim, i, j)))
+	    !(t->excluded && t->excluded(t->sim, i, j, d)))
 		t->count[i] += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= reach * reach;
 }
 

@@ -88,6 +88,8 @@ enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim, struct 
 	}
 	if (!ts_wall_has_law(w, sim))
 		return TS_OK; /* refused by ts_wall_plan */
+	if (w->exact->surface->plan)
+		TS_TRY(w->exact->surface->plan(sim, w->exact->shape));
 	why = ts_collision_unsupported(ts_wall_model(w, sim));
 	if (sim->run.explicit_euler || sim->run.clamped)
 		why = "the integrator must move particles by h v, as fix nve and fix nve/sphere do";

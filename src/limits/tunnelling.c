@@ -34,12 +34,12 @@ static double distance_to_segment(const double m[3], const double d[3])
 	return ts_norm(x);
 }
 
-/* Whether a contact of i and j has a force. */
-static bool have_contact_law(const struct tsim *sim, size_t i, size_t j)
+/* Whether a contact of i and j has a force; d: vector from j to i. */
+static bool have_contact_law(const struct tsim *sim, size_t i, size_t j, const double d[3])
 {
 	ts_excluded_fn *excluded = ts_neigh_excluded(sim);
 
-	return ts_pair_interact(sim, i, j) && !(excluded && excluded(sim, i, j));
+	return ts_pair_interact(sim, i, j) && !(excluded && excluded(sim, i, j, d));
 }
 
 /* Whether i, moving relative to j along a segment longer than its radius, comes nearer than the sum of the
@@ -47,16 +47,17 @@ static bool have_contact_law(const struct tsim *sim, size_t i, size_t j)
 static bool hits_other(const struct tsim *sim, size_t i, size_t j, double reach)
 {
 	const struct ts_particles *p = sim->particles;
-	double path[3], middle[3], sum = p->radius[i] + p->radius[j] + reach;
+	double path[3], d[3], middle[3], sum = p->radius[i] + p->radius[j] + reach;
 
 	ts_sub(p->v[i], p->v[j], path);
 	ts_scale(sim->clock.dt, path, path);
 	if (!(ts_dot(path, path) > p->radius[i] * p->radius[i]))
 		return false;
-	ts_sub(p->x[i], p->x[j], middle);
-	ts_box_nearest(&sim->domain->box, middle);
+	ts_sub(p->x[i], p->x[j], d);
+	ts_box_nearest(&sim->domain->box, d);
+	ts_scale(1, d, middle);
 	ts_axpy(-0.5, path, middle);
-	if (!(distance_to_segment(middle, path) > sum) && have_contact_law(sim, i, j))
+	if (!(distance_to_segment(middle, path) > sum) && have_contact_law(sim, i, j, d))
 		return true;
 	return sim->bonds->n && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
 }

@@ -193,6 +193,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	const struct kind *kind = motion_kind(s);
 	double length = ts_norm(s->axis);
 
+	s->mover.turns = kind->turns && kind->rate != rotate_variable_rate;
 	if (kind->turns || kind->vibrates) {
 		if (!(length > 0))
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "axis"),

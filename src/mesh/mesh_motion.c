@@ -289,6 +289,19 @@ const struct ts_instance *ts_mesh_mover_of(const struct tsim *sim, const char *m
 	return NULL;
 }
 
+bool ts_mesh_mover_turns(const struct tsim *sim, const char *mesh)
+{
+	const struct ts_instance *inst;
+
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));) {
+		const struct ts_mesh_mover *mover = inst->state;
+
+		if (mover->turns && ts_streq(mover->mesh, mesh))
+			return true;
+	}
+	return false;
+}
+
 static bool has_mover(const struct ts_instance *by, const struct tsim *sim, int64_t serial)
 {
 	const struct ts_instance *inst;

@@ -15,6 +15,7 @@ struct ts_mesh_mover {
 	const char *mesh; /* ID of the fix of the mesh */
 	int64_t serial;	  /* serial number of its motion in the mesh, saved; 0: not moved yet */
 	double origin[3]; /* centre of rotation, length */
+	bool turns;	  /* it rotates the mesh whatever variables say; set in init */
 };
 
 /* In init: fails unless the mesh exists and may move. */
@@ -30,6 +31,9 @@ enum ts_status ts_mesh_mover_set_velocity(struct ts_instance *self, struct tsim 
 
 /* The first mover of this mesh; NULL: none. */
 const struct ts_instance *ts_mesh_mover_of(const struct tsim *sim, const char *mesh);
+
+/* Whether a mover rotates this mesh whatever variables say; between the init of all and the end of the run. */
+bool ts_mesh_mover_turns(const struct tsim *sim, const char *mesh);
 
 /* For a mesh that moves by itself, without movers: moves it to `motion`, relative to its initial position. */
 enum ts_status ts_mesh_surface_set_motion(struct tsim *sim, struct ts_mesh_surface *surface,

@@ -108,9 +108,8 @@ static void count_partner(void *context, size_t i, size_t j, const double d[3])
 	const struct coord *s = t->s;
 	int type = t->p->type[j];
 
-	(void)d;
 	if (!ts_in_group(t->p, i, t->group) || !ts_in_group(t->p, j, s->with) ||
-	    (s->same && type != t->p->type[i]) || (t->excluded && t->excluded(t->sim, i, j)))
+	    (s->same && type != t->p->type[i]) || (t->excluded && t->excluded(t->sim, i, j, d)))
 		return;
 	for (size_t k = 0; k < s->ncolumns; k++)
 		t->count[i * s->ncolumns + k] +=

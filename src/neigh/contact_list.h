@@ -244,8 +244,8 @@ static inline void ts_contact_set_active(const struct ts_contact_list *list,
 
 /* Builds the list of all pairs of particles whose distance at the last rebuild (xhold) is less than r_i + r_j
  * + skin and of which at least one is mobile (none, if list->both_frozen). The history of touching pairs is
- * carried over. `excluded`: pairs to leave out; may be NULL. */
-typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
+ * carried over. `excluded`: pairs to leave out, d: vector from (the image of) j to i; may be NULL. */
+typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j, const double d[3]);
 enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *list, double skin,
 				     ts_excluded_fn *excluded);
 

@@ -6,6 +6,7 @@
 #include "base/four.h"
 #include "base/parallel.h"
 #include "base/sort.h"
+#include "math/vec3.h"
 
 #include "base/banned.h"
 
@@ -106,16 +107,19 @@ TS_CLONES static void search_level(const struct ts_contact_search *s, int l, siz
 /* Leaves out excluded pairs, and pairs of two immobile particles (or keeps only these, if both_frozen). */
 static size_t filter_partners(const struct ts_contact_search *s, size_t i, int32_t *partner, size_t n)
 {
-	const double *imass = s->sim->particles->imass;
+	const struct ts_particles *p = s->sim->particles;
+	const double *imass = p->imass;
 	size_t kept = 0;
 
 	if (!s->excluded && !s->both_frozen && imass[i] > 0)
 		return n;
 	for (size_t k = 0; k < n; k++) {
 		size_t j = (size_t)partner[k];
+		double d[3];
 
+		ts_sub(p->xhold[i], p->xhold[j], d);
 		if ((imass[i] == 0 && imass[j] == 0) == s->both_frozen &&
-		    !(s->excluded && s->excluded(s->sim, i, j)))
+		    !(s->excluded && s->excluded(s->sim, i, j, d)))
 			partner[kept++] = partner[k];
 	}
 	return kept;

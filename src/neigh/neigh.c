@@ -206,7 +206,17 @@ static bool excludes(const struct ts_exclude *e, const struct ts_particles *p, s
 	return members && same_molecule(p, i, j) == (e->by == TS_EXCLUDE_WITHIN);
 }
 
-static bool excluded(const struct tsim *sim, size_t i, size_t j)
+/* Of the images of a bonded particle the nearest holds the bond. */
+static bool is_nearest_image(const struct tsim *sim, const double d[3])
+{
+	double nearest[3] = { d[0], d[1], d[2] };
+
+	ts_box_nearest(&sim->domain->box, nearest);
+	ts_axpy(-1, d, nearest);
+	return ts_norm(nearest) <= 1e-9 * ts_norm(d);
+}
+
+static bool excluded(const struct tsim *sim, size_t i, size_t j, const double d[3])
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_neigh *nb = sim->neigh;
@@ -216,7 +226,7 @@ static bool excluded(const struct tsim *sim, size_t i, size_t j)
 	for (int k = 0; k < nb->nexclude; k++)
 		if (excludes(&nb->exclude[k], p, i, j))
 			return true;
-	return nb->skip_bonded && nb->callback.bonded(sim, p->tag[i], p->tag[j]);
+	return nb->skip_bonded && nb->callback.bonded(sim, p->tag[i], p->tag[j]) && is_nearest_image(sim, d);
 }
 
 ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)

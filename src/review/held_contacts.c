@@ -49,7 +49,8 @@ static void count_contact(void *context, size_t first, size_t second, const doub
 	double reach = p->radius[i] + p->radius[j];
 
 	if (p->tag[i] >= p->tag[j] || !(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach) ||
-	    (h->excluded && h->excluded(h->sim, i, j)) || ts_bonds_has(h->sim->bonds, p->tag[i], p->tag[j]))
+	    (h->excluded && h->excluded(h->sim, i, j, d)) ||
+	    ts_bonds_has(h->sim->bonds, p->tag[i], p->tag[j]))
 		return;
 	h->contacts++;
 	h->a = i;

@@ -20,6 +20,8 @@ struct ts_exact_touch {
 /* A sort of surface, at rest or moving without rotation and with a constant velocity during the step. `shape`: the
  * struct ts_primitive_wall, ts_mesh_wall or ts_voxel_wall. */
 struct ts_exact_surface {
+	/* Before a run: fails if the surface will rotate. NULL: it does not. */
+	enum ts_status (*plan)(struct tsim *sim, const void *shape);
 	/* Before the search of a step; may fail if the surface rotates. NULL: nothing to do. */
 	enum ts_status (*prepare)(struct tsim *sim, void *shape);
 	/* The same where a surface that rotates is taken to be at rest in its present position. */

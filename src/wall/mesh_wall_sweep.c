@@ -1,6 +1,7 @@
 /* Walls of meshes with `impact exact`: the first touch of a moving sphere, in all periodic images. */
 #include "box/domain.h"
 #include "geom/box_images.h"
+#include "mesh/mesh_motion.h"
 #include "mesh/mesh_sweep.h"
 #include "wall/exact_surface.h"
 #include "wall/mesh_wall.h"
@@ -31,16 +32,30 @@ static enum ts_status update(struct tsim *sim, void *shape)
 	return ts_mesh_wall_update_trees(sim, mw);
 }
 
+static enum ts_status refuse_rotation(struct tsim *sim, const struct ts_instance *mesh)
+{
+	return ts_fail(&sim->error, TS_STATE, &mesh->where,
+		       "mesh %s rotates; walls with `impact exact` are at rest or move along a line",
+		       mesh->id);
+}
+
+static enum ts_status plan(struct tsim *sim, const void *shape)
+{
+	const struct ts_mesh_wall *mw = shape;
+
+	for (size_t k = 0; k < mw->nmeshes; k++)
+		if (ts_mesh_mover_turns(sim, mw->mesh[k].by->id) || rotates(mw->mesh[k].surface))
+			return refuse_rotation(sim, mw->mesh[k].by);
+	return TS_OK;
+}
+
 static enum ts_status prepare(struct tsim *sim, void *shape)
 {
 	const struct ts_mesh_wall *mw = shape;
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
 		if (rotates(mw->mesh[k].surface))
-			return ts_fail(&sim->error, TS_STATE, &mw->mesh[k].by->where,
-				       "mesh %s rotates; walls with `impact exact` are at rest or move along "
-				       "a line",
-				       mw->mesh[k].by->id);
+			return refuse_rotation(sim, mw->mesh[k].by);
 	return update(sim, shape);
 }
 
@@ -97,4 +112,6 @@ static enum ts_status sweep(const struct tsim *sim, const void *shape, size_t i,
 	return TS_OK;
 }
 
-const struct ts_exact_surface ts_mesh_wall_exact = { .prepare = prepare, .update = update, .sweep = sweep };
+const struct ts_exact_surface ts_mesh_wall_exact = {
+	.plan = plan, .prepare = prepare, .update = update, .sweep = sweep
+};

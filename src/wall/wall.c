@@ -423,7 +423,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct t
 
 	if (w->shape->check_law)
 		TS_TRY(w->shape->check_law(self, sim));
-	if (w->shape->plan)
+	if (w->shape->plan && !plan->limits_only)
 		w->shape->plan(self, sim);
 	for (size_t k = 0; k < n; k++)
 		TS_TRY(plan_type(self, sim, ts_wall_surface_type(w, k), plan));

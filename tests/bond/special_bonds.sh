@@ -50,6 +50,15 @@ expect 'a factor of 0: only the bond acts' "$(force_at apart.log 0)" 0
 run_pair both 'run 0' -var special 'lj/coul 0.0 1.0 1.0' -var ultimate 9.0 -var v 0
 expect 'lj/coul' "$(force_at both.log 0)" 0
 
+# A box so small that two images of a partner touch: at 0.8, which has the bond, and at 0.9, which has the contact.
+sed -e 's/^boundary.*/boundary p f f/' -e 's/block -2 2/block -0.4 1.3/' -e 's/units si/&\nneighbor 0.1 bin/' in.pair >in.images
+sed -i 's/^timestep/compute forces all property\/atom fx\nthermo_style custom step numbonds\n&/' in.images
+printf '%s\n' 'include in.images' 'run 0' 'print "pull $(fx[1]:%.15g)"' >in.small
+for case in '0 -3.1' '1 3.1'; do
+	"$TSIM" -in in.small -log none -var special "lj ${case% *} 1 1" -var ultimate 9.0 -var v 0 >out 2>&1
+	expect "images of a partner, factor ${case% *}" "$(sed -n 's/^pull //p' out)" "${case#* }"
+done
+
 # The bond breaks at an extension of 0.01 (here a compression): pressed together, the contact takes over.
 run_pair broken 'run 200' -var special 'lj 0 1 1' -var ultimate 0.07 -var v 0.13
 awk '$1 ~ /^[0-9]+$/ && NF == 3 && $2 == 0 { if (++n == 2) { print $3; exit } }' broken.log >after

@@ -133,6 +133,20 @@ rejects "$two
 change_box all boundary p f" 'z is missing'
 rejects "$two
 change_box all boundary pf f f" 'both faces must be periodic'
+# bonds across faces that are no longer periodic
+bonded="$two
+create_atoms 1 single 0.5 1.5 0.9 units box
+set group all diameter 1 density 1
+pair_style none
+bond_style harmonic
+bond_coeff 1 1 1
+create_bonds many all all 1 1.85 1.95"
+for change in 'boundary p p f' 'z scale 3 boundary p p f' 'z scale 0.8 remap boundary f f f'; do
+	rejects "$bonded
+change_box all $change" '1 bonds cross the faces of z'
+done
+does "${bonded#"$two"}
+change_box all boundary f f p" '2 3 4 0 at 0.5 1.5 3 and 1.9 2.9 3.9'
 rejects "$two
 displace_atoms all rotate 0 0 0 0 0 0 30" 'the axis is zero'
 rejects "$two

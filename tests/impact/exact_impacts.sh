@@ -218,6 +218,15 @@ END
 refused rolling 'no rolling friction' -in in.refused -var move nve/sphere -var law 'model hertz tangential history rolling_friction cdt primitive type 1 zplane 0'
 refused euler 'move particles by h v' -in in.refused -var move nve/euler -var law 'model hertz tangential off primitive type 1 zplane 0'
 refused pump 'no velocity along its normal' -in in.refused -var move nve/sphere -var law 'model hertz tangential off primitive type 1 zplane 0 velocity 0 0 1'
+sed -e 's/^fix floor/fix plate all mesh\/surface file plate.stl type 1\nfix turn all move\/mesh mesh plate ${turn}\n&/' \
+	-e 's/^run 1/run 0/' in.refused >in.turns
+for turn in 'rotate origin 0 0 0 axis 0 0 1 period 1' 'riggle origin 0 0 0 axis 0 0 1 period 1 amplitude 1'; do
+	for check in -check '-log none'; do
+		# shellcheck disable=SC2086
+		refused "mesh that moves by ${turn%% *}, $check" 'mesh plate rotates' $check -in in.turns -var turn "$turn" \
+			-var move nve/sphere -var law 'model hertz tangential off mesh n_meshes 1 meshes plate'
+	done
+done
 
 # Height fields: a flat one gives the impacts of the plane, a moving one and a rough one the same for any time step.
 # Particles cross the periodic faces.

@@ -126,6 +126,10 @@ warms 'contact_area projection' 'PI*0.1^2' 'PI*0.1^2'
 prints 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 temperature 300
 run 0' '*the temperature has no effect without fix heat/gran'
+printf '%s\n' 'include in.sphere' 'fix w all wall/gran ${law} zplane 0.0 temperature 300' 'run 2' >in.once
+"$TSIM" -in in.once -log none >out 2>&1
+[ "$(grep -c 'the temperature has no effect' out)" = 1 ]
+report 'it warns of the temperature once in a run' $? out
 prints 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 shear z 1
 run 0' '*a shear along the normal moves no plane'
