@@ -645,6 +645,11 @@ class Lammps(Case):
         self.assertEqual(list(lmp.gather_atoms("id", 0, 1)), list(range(1, 295)))
         self.assertEqual(list(lmp.gather_atoms_concat("id", 0, 1)), list(lmp.tag))
         self.assertEqual(list(lmp.gather_atoms_subset("id", 0, 1, 2, [9, 4])), [9, 4])
+        lmp.command("group pair id 4 9")
+        bits = list(lmp.gather_atoms("mask", 0, 1))
+        self.assertEqual([k + 1 for k in range(294) if bits[k] != bits[0]], [4, 9])
+        self.assertEqual(bits[3], lmp.gather_atoms_subset("mask", 0, 1, 1, [9])[0])
+        self.assertEqual(list(lmp.gather_atoms_concat("mask", 0, 1)), list(lmp.view("mask")))
         self.assertRaises(ValueError, lmp.gather_atoms, "x", 1, 1)
         self.assertRaises(ValueError, lmp.gather_atoms_subset, "x", 1, 3, 2, [1])
         v = [0.125 * k for k in range(3 * 294)]

@@ -397,6 +397,9 @@ class LammpsNames(NeighbourNames, ExternalNames):
             index = self._order(ids) if order else range(len(made))
             rows = [made[k] for k in index]
             flat = [value for row in rows for value in row] if wide else rows
+        elif name == "mask":
+            bits = [int(value) - (int(value) >> 31 << 32) for value in self.view("mask")]  # as C int
+            flat = [bits[k] for k in (self._order(ids) if order else range(len(bits)))]
         else:
             parts = [self._gather(part, ids) if order else self._read(part, None)
                      for part in self._parts_of(name, count)]
