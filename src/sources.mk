@@ -1625,6 +1625,8 @@ library_sources = \
 	src/wall/wall_flight.h \
 	src/wall/wall_law.c \
 	src/wall/wall_law.h \
+	src/wall/wall_inserted.c \
+	src/wall/wall_inserted.h \
 	src/wall/wall_loss.c \
 	src/wall/wall_loss.h \
 	src/wall/wall_multicontact.c \

@@ -9,6 +9,9 @@
 
 #include "base/banned.h"
 
+/* Overlaps under load are rarely more than 1 % of the radius. */
+const double ts_review_depth = 0.05;
+
 static int find_check(const struct tsim *sim, const char *name)
 {
 	for (int k = 0; k < TS_REVIEW_MOST && sim->tables->checks[k].name; k++)

@@ -52,6 +52,9 @@ bool ts_review_set(struct tsim *sim, const char *name, enum ts_review_answer ans
 void ts_review_begin_scene(struct tsim *sim);
 void ts_review_release(struct ts_review *review);
 
+/* Smallest overlap / smaller radius that is a finding. */
+extern const double ts_review_depth;
+
 /* Reports a finding, whose text says what was found, with numbers, and what to do. One finding of each
  * check is reported at each place; place NULL: it concerns the whole scene, and the place is the run
  * command. */

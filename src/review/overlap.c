@@ -12,9 +12,6 @@
 
 #include "base/banned.h"
 
-/* Overlaps under load are rarely more than 1 % of the radius. */
-const double ts_review_depth = 0.05;
-
 void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model *model,
 		   const struct ts_granular_pair *law, const struct ts_touch *t)
 {

@@ -17,8 +17,6 @@ struct ts_review_overlaps {
 	int32_t b;	/* id of its partner */
 };
 
-/* Smallest overlap / smaller radius that is a finding. */
-extern const double ts_review_depth;
 /* Adds a contact. */
 void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model *model,
 		   const struct ts_granular_pair *law, const struct ts_touch *t);

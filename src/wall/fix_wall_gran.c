@@ -6,6 +6,7 @@
 #include "wall/shared_contacts.h"
 #include "wall/voxel_wall.h"
 #include "wall/wall_coincide.h"
+#include "wall/wall_inserted.h"
 #include "wall/wall_law.h"
 
 #include <math.h>
@@ -126,6 +127,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_surface_contacts_find_observers(sim, w));
 	ts_wall_force(w);
 	TS_TRY(w->shape->list(self, sim));
+	TS_TRY(ts_wall_look_at_inserted(self, sim));
 	return ts_impacts_prepare(self, sim);
 }
 

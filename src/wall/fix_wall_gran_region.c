@@ -2,6 +2,7 @@
 #include "core/sim.h"
 #include "wall/region_wall.h"
 #include "wall/wall_coincide.h"
+#include "wall/wall_inserted.h"
 #include "wall/wall_law.h"
 
 #include "base/banned.h"
@@ -29,7 +30,8 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK; /* refused by the plan */
 	TS_TRY(ts_wall_make_laws(self, sim));
 	ts_wall_force(w);
-	return w->shape->list(self, sim);
+	TS_TRY(w->shape->list(self, sim));
+	return ts_wall_look_at_inserted(self, sim);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)

@@ -136,6 +136,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	struct ts_wall *w = self->state;
 
 	w->sim = sim;
+	w->newest = sim->particles->max_tag;
 	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
 	if (w->words.cohesion == TS_WORD_BOND)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "cohesion"),

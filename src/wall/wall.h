@@ -100,6 +100,7 @@ struct ts_wall {
 	 * those that may touch. Set, and only enlarged, in the init of these others */
 	double look;
 	double bridges; /* maximum rupture length of a liquid bridge, in radii of the particle */
+	int32_t newest; /* largest identity of a particle when contacts were listed, or the run began */
 };
 
 #define TS_FAMILY_WALL "wall"

@@ -279,6 +279,39 @@ sound 'on a wall' "$whole
 fix floor all wall/gran primitive type 1 zplane 0.05
 $rest"
 
+# during the run: particles that are inserted where a wall is, once for each wall; -check does not insert
+pour="$start
+$law
+fix t all particletemplate/sphere 15485863 atom_type 1 density constant 1000 radius constant 0.05
+fix d all particledistribution/discrete 15485867 1 t 1.0
+region low block 0.2 0.8 0.2 0.8 0 0.3 units box
+fix move all nve/sphere
+timestep 1e-4"
+poured='fix pour all insert/pack seed 32452843 distributiontemplate d insert_every 5 particles_in_region 30 region low'
+inserted() { # WHAT, lines of the wall
+	printf '%s\n' "$pour" "$2" "$poured" 'run 1' \
+		'variable deep atom 0.05-abs(z-0.02)' 'compute most all reduce max v_deep' \
+		'print "deep $(c_most:%.6g) $(100*c_most/0.05:%.3g)"' 'run 14' >in.inserted
+	"$TSIM" -in in.inserted -log none >out 2>&1
+	[ "$(grep -c '(review: wall_overlap)' out)" = 1 ] &&
+		[ "$(sed -nE 's/.*were inserted in step 1 .* largest overlap is ([^ ]+) \(([^ ]+) %\).*/\1 \2/p' out)" = \
+			"$(sed -n 's/^deep //p' out)" ]
+	report "inserted $1" $? out
+	sed '1i review error wall_overlap' in.inserted >in.error
+	refused "inserted $1, as an error" 'review: wall_overlap' -in in.error
+	sed '1i review off wall_overlap' in.inserted >in.off
+	"$TSIM" -in in.off -log none 2>&1 | grep 'review:' >out
+	[ ! -s out ]
+	report "inserted $1, silent" $? out
+}
+inserted 'in a plane' 'fix w all wall/gran model hooke/stiffness primitive type 1 zplane 0.02'
+inserted 'in the surface of a region' 'region on block INF INF INF INF 0.02 INF units box
+fix w all wall/gran/region type 1 region on'
+sound 'inserted a radius from a plane' "$pour
+fix w all wall/gran model hooke/stiffness primitive type 1 zplane 0.0
+$poured all_in yes
+run 14"
+
 # ---- density ----
 found 'g/cm3' density "${whole/density 1000/density 2.65}
 fix g all gravity 9.81 vector 0 0 -1
