@@ -92,8 +92,8 @@ const struct ts_command_style ts_command_print = {
 		.ranks = TS_RANKS_FORMULAS,
 		.summary = "prints a line of text",
 		.doc = "The text is written to the screen, to the log file, and to the file given by `file` "
-		       "or `append`. Variables in the text are substituted; $(formula:%.3f) prints a number "
-		       "with this format.",
+		       "or `append`, which is not compressed, whatever its name. Variables in the text are substituted; "
+		       "$(formula:%.3f) prints a number with this format.",
 		.example = "print \"depth ${depth} m, energy $(ke:%.4g) J\" append depth.txt",
 		.args = print_args,
 		.state_size = sizeof(struct print),
@@ -166,7 +166,8 @@ const struct ts_command_style ts_command_log = {
 		.kind = TS_KIND_COMMAND,
 		.ranks = TS_RANKS_FORMULAS,
 		.summary = "closes the log file and opens another",
-		.doc = "The first log file is log.tsim, or that of the option -log.",
+		.doc = "The first log file is log.tsim, or that of the option -log. A log is not compressed, "
+		       "whatever its name.",
 		.example = "log drilling.log",
 		.args = log_args,
 		.state_size = sizeof(struct log_to),
