@@ -650,7 +650,11 @@ class Lammps(Case):
         self.assertEqual([k + 1 for k in range(294) if bits[k] != bits[0]], [4, 9])
         self.assertEqual(bits[3], lmp.gather_atoms_subset("mask", 0, 1, 1, [9])[0])
         self.assertEqual(list(lmp.gather_atoms_concat("mask", 0, 1)), list(lmp.view("mask")))
+        packed = list(lmp.gather_atoms("image", 0, 1))
+        self.assertEqual(lmp.decode_image_flags(packed[6]), list(lmp.gather_atoms("image", 0, 3))[18:21])
         self.assertRaises(ValueError, lmp.gather_atoms, "x", 1, 1)
+        self.assertRaises(ValueError, lmp.gather_atoms, "x", 0, 3)
+        self.assertRaises(ValueError, lmp.gather_atoms, "id", 1, 1)
         self.assertRaises(ValueError, lmp.gather_atoms_subset, "x", 1, 3, 2, [1])
         v = [0.125 * k for k in range(3 * 294)]
         lmp.scatter_atoms("v", 1, 3, v)

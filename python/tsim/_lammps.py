@@ -117,7 +117,7 @@ class NumpyNames:
         return self._sim.extract_fix(fid, fstyle, ftype, nrow, ncol)
 
     def extract_variable(self, name: str, group: Optional[str] = None,
-                         vartype: int = LMP_VAR_EQUAL) -> Any:
+                         vartype: Optional[int] = None) -> Any:
         """A variable."""
         return self._sim.extract_variable(name, group, vartype)
 
@@ -388,6 +388,9 @@ class LammpsNames(NeighbourNames, ExternalNames):
 
     def _columns(self, name: str, dtype: int, count: int, ids: Any, order: bool) -> Any:
         """count numbers per atom, atom after atom."""
+        if name in _ATOM and _ATOM[name][1] != (dtype == 0):
+            raise ValueError("%r has %s numbers: dtype %d" % (
+                name, "whole" if _ATOM[name][1] else "real", int(not _ATOM[name][1])))
         if name.startswith(("c_", "f_", "v_")):
             made = self.evaluate(name, "per_particle")
             wide = len(made) > 0 and hasattr(made[0], "__len__")
@@ -400,6 +403,9 @@ class LammpsNames(NeighbourNames, ExternalNames):
         elif name == "mask":
             bits = [int(value) - (int(value) >> 31 << 32) for value in self.view("mask")]  # as C int
             flat = [bits[k] for k in (self._order(ids) if order else range(len(bits)))]
+        elif name == "image" and count == 1:
+            counts = self._columns(name, dtype, 3, ids, order)
+            flat = [self.encode_image_flags(*counts[k:k + 3]) for k in range(0, len(counts), 3)]
         else:
             parts = [self._gather(part, ids) if order else self._read(part, None)
                      for part in self._parts_of(name, count)]

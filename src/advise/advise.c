@@ -202,7 +202,10 @@ static void run_all_trials(struct advise *a, struct ts_log *screen)
 	ts_trial_probe(a->sim, b, fmin(1, PROBE * a->o.seconds));
 	if (*b->failure)
 		return;
-	b->skin = a->sim->neigh->wanted ? ts_neigh_skin(a->sim) : 0;
+	/* without particles the default skin is not known yet */
+	b->skin = a->sim->neigh->wanted && (a->sim->neigh->skin > 0 || a->sim->particles->n)
+			  ? ts_neigh_skin(a->sim)
+			  : 0;
 	ts_candidates_list(a->sim, b);
 	choose_steps(a);
 	for (int k = 0; k < b->n; k++)

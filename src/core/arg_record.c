@@ -45,10 +45,22 @@ static void append_types(struct ts_str *out, const struct ts_types *t)
 		ts_str_addf(out, " %d*", t->lo);
 }
 
-static void append_words(struct ts_str *out, const struct ts_words *words)
+static void append_words(struct ts_str *out, const struct ts_words *words, size_t from)
 {
-	for (size_t k = 0; k < words->n; k++)
+	for (size_t k = from; k < words->n; k++)
 		ts_str_addf(out, " %s", words->word[k].text);
+}
+
+/* Rows of TS_NAMED begin with their keyword. Several may share a field, as the surfaces of a picture do: it is shown with that
+ * whose keyword comes first. */
+static bool shows_own_keyword(const struct ts_arg *row)
+{
+	return row->flags & TS_NAMED && !ts_ends_with(row->name, "NAME");
+}
+
+static bool is_without_words(const struct ts_arg *row, const struct ts_words *words)
+{
+	return words->n == 0 || (shows_own_keyword(row) && !ts_streq(words->word[0].text, row->name));
 }
 
 static bool is_absent(const struct ts_arg *row, const void *field)
@@ -61,7 +73,7 @@ static bool is_absent(const struct ts_arg *row, const void *field)
 	case TS_ARG_INT:
 		return *(const int64_t *)field == INT64_MIN;
 	case TS_ARG_REST:
-		return ((const struct ts_words *)field)->n == 0;
+		return is_without_words(row, field);
 	case TS_ARG_ENUM:
 	case TS_ARG_GROUP:
 	case TS_ARG_MODE:
@@ -118,7 +130,7 @@ static void append_value(const struct tsim *sim, const struct ts_arg *row, const
 		ts_str_addf(out, " %s", (*(struct ts_instance *const *)field)->id);
 		break;
 	case TS_ARG_REST:
-		append_words(out, field);
+		append_words(out, field, shows_own_keyword(row) ? 1 : 0);
 		break;
 	case TS_ARG_FLAG:
 	case TS_ARG_END:

@@ -25,10 +25,11 @@ static enum ts_status set_energy(struct tsim *sim, struct ts_instance *fix, cons
 
 	TS_TRY(read_yes_or_no(sim, answer, &yes));
 	if (yes && !fix->style->energy)
-		return ts_fail(&sim->error, TS_RANGE, &answer->place,
-			       "fix_modify: fix %s has no potential energy that could be counted",
-			       fix->style->name);
-	fix->counts_energy = yes;
+		ts_warn(&sim->log, &answer->place,
+			"fix_modify: `energy yes` has no effect: fix %s has no potential energy that could "
+			"be counted",
+			fix->style->name);
+	fix->counts_energy = yes && fix->style->energy;
 	return TS_OK;
 }
 

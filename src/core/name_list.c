@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "core/unsupported_names.h"
+
 #include "base/banned.h"
 
 /* By memcpy, since the rows of the table may be structs of any type. */
@@ -18,7 +20,12 @@ static enum ts_status fail_unknown_name(struct tsim *sim, const char *what, cons
 					const struct ts_word *word, const void *table, size_t stride)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
+	const char *remark = ts_unsupported_word_remark(what, word->text);
 
+	if (remark)
+		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
+			       "%s: %s '%s' is known, but tsim does not have it: %s", what, noun, word->text,
+			       remark);
 	for (int k = 0; name_at(table, stride, k); k++)
 		ts_suggest_try(&suggest, name_at(table, stride, k));
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "%s: unknown %s '%s'%s", what, noun, word->text,

@@ -18,6 +18,8 @@ struct ts_script_rows {
 struct ts_script_api {
 	/* Executes command lines; `where` is the place of their errors. */
 	enum ts_status (*execute)(void *data, const char *text, const struct ts_place *where);
+	/* Whether a command has been `quit`: nothing more is executed. */
+	bool (*has_quit)(void *data);
 	/* Substitutes ${x}, $x and $(...) in the text. */
 	enum ts_status (*substitute)(void *data, const char *text, const struct ts_place *where,
 				     struct ts_str *out);

@@ -33,6 +33,19 @@
 	{                                                           \
 		"fix particletemplate/multisphere", word_, remark_  \
 	}
+#define PAIRS(word_)                                                                                        \
+	{                                                                                                   \
+		"compute pair/local", word_,                                                                \
+			"compute pair/gran/local gives normal and tangential forces, torques, overlap and " \
+			"history of a "                                                                     \
+			"contact"                                                                           \
+	}
+#define BONDS(word_)                                                                                       \
+	{                                                                                                  \
+		"compute property/local", word_,                                                           \
+			"compute bond/local gives lengths, forces, torques and stresses of bonds, in the " \
+			"same order"                                                                       \
+	}
 #define BRIDGES "use easo/capillary/viscous or washino/capillary/viscous"
 
 static const struct {
@@ -72,6 +85,15 @@ static const struct {
 	{ "set", "shape", SHAPES },
 	{ "set", "meso_rho", SPH },
 	{ "set", "sphkernel", SPH },
+	PAIRS("p1"),
+	PAIRS("p2"),
+	PAIRS("p3"),
+	PAIRS("p4"),
+	BONDS("batom1*"),
+	BONDS("batom2*"),
+	BONDS("bforce*"),
+	BONDS("btorque*"),
+	BONDS("beqdist"),
 	PICTURES("grid", "fields of the fluid are drawn by `slice x|y|z POSITION QUANTITY`"),
 	PICTURES("gridline", GRID_LINES),
 	PICTURES("gridlines", GRID_LINES),

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "dump/dump_modify.h"
+#include "io/csv.h"
 
 #include "base/banned.h"
 
@@ -138,6 +139,7 @@ static void warn_without_effect(struct tsim *sim, const struct ts_instance *dump
 				const struct ts_dump_changes *c, const struct ts_place *where)
 {
 	const char *words = dump->style->dump_words ? dump->style->dump_words : "";
+	const bool csv = ts_csv_is(((const struct ts_dump_common *)dump->state)->file);
 	const struct {
 		const char *word;
 		bool given;
@@ -163,6 +165,9 @@ static void warn_without_effect(struct tsim *sim, const struct ts_instance *dump
 			ts_warn(&sim->log, ts_sim_word_of(sim, keyword[k].word, where),
 				"dump_modify: %s has no effect on dump %s", keyword[k].word,
 				dump->style->name);
+		else if (keyword[k].given && csv && ts_has_word("label units", keyword[k].word))
+			ts_warn(&sim->log, ts_sim_word_of(sim, keyword[k].word, where),
+				"dump_modify: %s has no effect on comma-separated values", keyword[k].word);
 }
 
 /* Keywords of the style itself. */

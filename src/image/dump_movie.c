@@ -106,7 +106,7 @@ TS_STYLE(dump, ts_style, ts_dump_movie)
 const struct ts_style ts_dump_movie = {
 	.name = "movie",
 	.kind = TS_KIND_DUMP,
-	.dump_words = "thresh region",
+	.dump_words = "element thresh region",
 	.ranks = TS_RANKS_WHOLE,
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,

@@ -32,10 +32,32 @@ static void place(const struct ts_image *s, const struct tsim *sim, const double
 	}
 }
 
+/* Whether the view may change from frame to frame; then the scale follows the box, as in LAMMPS. */
+static bool view_changes(const struct ts_image *s)
+{
+	bool changes =
+		s->center.dynamic || s->view.theta.variable || s->view.phi.variable || s->zoom.variable;
+
+	for (int d = 0; d < 3; d++)
+		changes |= s->up.part[d].variable || s->center.part[d].variable;
+	return changes;
+}
+
+static void scale(const struct ts_image *s, const struct tsim *sim, double zoom, struct ts_camera *out)
+{
+	const bool changes = view_changes(s);
+	double length[3];
+
+	for (int d = 0; d < 3; d++)
+		length[d] = changes ? ts_box_length(&sim->domain->box, d)
+				    : s->first_box[1][d] - s->first_box[0][d];
+	ts_camera_zoom(out, length, zoom);
+}
+
 enum ts_status ts_image_camera(struct ts_instance *self, struct tsim *sim, struct ts_camera *out, bool *valid)
 {
 	struct ts_image *s = self->state;
-	double theta, phi, zoom, up[3], part[3], length[3];
+	double theta, phi, zoom, up[3], part[3];
 
 	TS_TRY(numbers_now(self, sim, &s->view.theta, 1, &theta));
 	TS_TRY(numbers_now(self, sim, &s->view.phi, 1, &phi));
@@ -45,12 +67,10 @@ enum ts_status ts_image_camera(struct ts_instance *self, struct tsim *sim, struc
 	out->width = (uint32_t)s->size.width;
 	out->height = (uint32_t)s->size.height;
 	place(s, sim, part, out->centre);
-	for (int d = 0; d < 3; d++)
-		length[d] = ts_box_length(&sim->domain->box, d);
 	*valid = zoom > 0 && isfinite(zoom) && isfinite(part[0] + part[1] + part[2]) &&
 		 ts_camera_look(out, theta * M_PI / 180, phi * M_PI / 180, up);
 	if (*valid)
-		ts_camera_zoom(out, length, zoom);
+		scale(s, sim, zoom, out);
 	else if (!s->told_view)
 		ts_warn(&sim->log, &self->where,
 			"dump %s: no picture at step %lld: its variables give zoom %g, theta %g, phi %g, up "

@@ -82,7 +82,9 @@ static enum ts_status report_finding(struct admission *a, const struct ts_mesh_f
 	describe_finding(a, f, &line);
 	if (first && more)
 		ts_str_addf(&line, "; so do %zu other%s", more, more == 1 ? "" : "s");
-	if (first)
+	if (f->fault == TS_MESH_DUPLICATE && is_left_out(a->how, f->fault))
+		ts_str_addf(&line, "; left out by `heal`");
+	else if (first)
 		ts_str_addf(&line, "; remedy: %s", text->remedy);
 	if (line.failed)
 		status = ts_nomem(&a->sim->error);

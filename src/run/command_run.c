@@ -130,6 +130,12 @@ static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run
 	return status;
 }
 
+/* Whether a command of `every` has ended the run or the script. */
+static bool has_ended(const struct tsim *sim)
+{
+	return sim->run.halted || sim->script_api->has_quit(sim->script_api_data);
+}
+
 /* Runs in pieces of M steps and executes the commands after each; their variables are substituted each
  * time. */
 static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const struct run *r)
@@ -145,7 +151,7 @@ static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const st
 		every = last - sim->clock.step;
 	else
 		TS_TRY(sim->script_api->check_commands(sim->script_api_data, ts_words_from(r->pieces, 1)));
-	for (; (first || left > 0) && !sim->run.halted; first = false) {
+	for (; (first || left > 0) && !has_ended(sim); first = false) {
 		if (!ts_sim_has_box(sim))
 			return ts_fail(&sim->error, TS_STATE, &word[0].place,
 				       "run: a command of `every` has removed the box, and the run cannot go "

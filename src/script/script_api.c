@@ -13,6 +13,11 @@ static enum ts_status api_execute(void *data, const char *text, const struct ts_
 	return ts_script_execute(data, text, where);
 }
 
+static bool api_has_quit(void *data)
+{
+	return ((const struct ts_script *)data)->quit;
+}
+
 static enum ts_status api_substitute(void *data, const char *text, const struct ts_place *where,
 				     struct ts_str *out)
 {
@@ -299,6 +304,7 @@ static enum ts_status api_would_write(void *data, const struct ts_place *where, 
 
 const struct ts_script_api ts_script_api_table = {
 	.execute = api_execute,
+	.has_quit = api_has_quit,
 	.substitute = api_substitute,
 	.scalar = api_scalar,
 	.peratom = api_peratom,

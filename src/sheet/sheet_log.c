@@ -1,6 +1,6 @@
 /* Logs of tsim, LIGGGHTS and LAMMPS. The table of a run begins with a line of titles, the next line has as many numbers; it
- * ends with "Loop time". Lines in between that are no rows are messages of the script. The programs write a step in eight
- * letters, so a row begins with a blank, which tells it from messages of numbers. With `line multi` a row is a block:
+ * ends with "Loop time". Lines in between that are no rows are messages of the script. The programs write numbers in columns
+ * of fixed widths, the step in eight letters, which tells rows from messages of numbers. With `line multi` a row is a block:
  *   ---------------- Step       60 ----- CPU =      0.0000 (sec) ----------------
  *   Temp     =         0.4828 TotEng   =        -5.2536
  * and with `thermo_style yaml` of LAMMPS the titles and the rows are lists:
@@ -18,7 +18,9 @@ struct log {
 	struct ts_sheet_names titles; /* of the line before, or of the blocks */
 	struct ts_sheet_names values; /* of a block that is being read */
 	bool inside, multi, block;    /* in a table; it has blocks; one of them has begun */
-	bool bare;		      /* its first row begins without a blank */
+	/* its first row: begins without a blank; where its first number ends; its second number has a column of some width */
+	bool bare, wide;
+	size_t first_end;
 	int runs;
 };
 
@@ -51,6 +53,38 @@ enum { STEP_LETTERS = 8 };
 static bool is_padded(const struct ts_lines *l)
 {
 	return l->word[0] > l->line || strlen(l->word[0]) >= STEP_LETTERS;
+}
+
+/* Number of letters of the line up to the end of word k. */
+static size_t end_of(const struct ts_lines *l, size_t k)
+{
+	return (size_t)(l->word[k] - l->line) + strlen(l->word[k]);
+}
+
+static bool is_wide(const struct ts_lines *l)
+{
+	return l->nwords > 1 && end_of(l, 1) - end_of(l, 0) >= STEP_LETTERS;
+}
+
+static void remember_columns(struct log *g)
+{
+	const struct ts_lines *l = &g->reader->lines;
+
+	g->bare = !is_padded(l);
+	g->wide = is_wide(l);
+	g->first_end = end_of(l, 0);
+}
+
+/* Whether the numbers stand in the columns of the first row; one that is longer than its column begins the line. */
+static bool is_in_columns(const struct log *g)
+{
+	const struct ts_lines *l = &g->reader->lines;
+	const size_t end = end_of(l, 0);
+
+	if (g->bare)
+		return true;
+	return (end == g->first_end || (end > g->first_end && l->word[0] == l->line)) &&
+	       (!g->wide || is_wide(l));
 }
 
 static bool begins_with_step(const struct ts_sheet_names *titles)
@@ -204,10 +238,10 @@ static enum ts_status read_line(struct log *g)
 	if (ts_sheet_is_row(l)) {
 		if (begins_table(g)) {
 			TS_TRY(begin_table(g, l->nwords));
-			g->bare = !is_padded(l);
+			remember_columns(g);
 		}
 		g->titles.n = 0;
-		if (g->inside && l->nwords == t->sheet[t->n - 1].columns && (g->bare || is_padded(l)))
+		if (g->inside && l->nwords == t->sheet[t->n - 1].columns && is_in_columns(g))
 			return ts_sheet_add_row(r, (const char *const *)l->word, l->number);
 		return TS_OK;
 	}

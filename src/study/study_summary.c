@@ -49,14 +49,13 @@ bool ts_study_summary_has(const struct ts_study *s, const struct ts_study_task *
 	return false;
 }
 
-/* Whether a run of the script prints the result. */
-static bool prints(const struct ts_study *s, size_t script, size_t result)
+/* Whether a run of the script of this path prints the result. */
+static bool prints(const struct ts_study *s, const char *script, size_t result)
 {
 	for (size_t k = 0; k < s->runs.n; k++) {
 		const struct ts_study_run *run = &s->runs.run[k];
 
-		if (ts_streq(run->script, s->script[script].path) && result < run->results &&
-		    *run->result[result])
+		if (ts_streq(run->script, script) && result < run->results && *run->result[result])
 			return true;
 	}
 	return false;
@@ -68,7 +67,7 @@ enum ts_status ts_study_summary_check_names(struct ts_study *s)
 		const char *first = NULL;
 
 		for (size_t f = 0; f < s->scripts; f++) {
-			if (!prints(s, f, r))
+			if (!prints(s, s->script[f].path, r))
 				continue;
 			if (first)
 				return ts_fail(&s->sim->error, TS_STATE, NULL,
@@ -148,7 +147,8 @@ static size_t width_of(const struct ts_study *s, size_t v, const char **const *l
 	return width;
 }
 
-static void add_mean(const struct ts_study_mean *m, size_t most, struct ts_str *out)
+/* `runs`: of which some may have failed, or have printed no number. */
+static void add_mean(const struct ts_study_mean *m, size_t runs, struct ts_str *out)
 {
 	struct ts_str cell = { 0 };
 
@@ -156,24 +156,22 @@ static void add_mean(const struct ts_study_mean *m, size_t most, struct ts_str *
 		ts_str_add(&cell, "-");
 	else
 		ts_str_addf(&cell, isnan(m->error) ? "%.5g" : "%.5g +- %.2g", m->mean, m->error);
-	if (m->n && m->n < most)
+	if (m->n && m->n < runs)
 		ts_str_addf(&cell, " (%zu)", m->n);
 	ts_str_addf(out, "  %-*s", CELL, ts_str_text(&cell));
 	ts_str_release(&cell);
 }
 
-/* Largest number of runs in a mean of the result. */
-static size_t most_runs(const struct ts_study *s, const struct ts_study_task *task, size_t n, size_t groups,
-			size_t r)
+/* Number of runs of the group whose script prints the result. */
+static size_t count_runs(const struct ts_study *s, const struct ts_study_task *task, size_t n, size_t group,
+			 size_t result)
 {
-	size_t most = 0;
+	size_t count = 0;
 
-	for (size_t g = 0; g < groups; g++) {
-		struct ts_study_mean m = ts_study_summary_mean(s, task, n, g, r);
-
-		most = m.n > most ? m.n : most;
-	}
-	return most;
+	for (size_t k = 0; k < n; k++)
+		count += task[k].group == group && task[k].run != SIZE_MAX && is_first_with_run(task, k) &&
+			 prints(s, s->runs.run[task[k].run].script, result);
+	return count;
 }
 
 /* The table of a block of results. */
@@ -194,7 +192,7 @@ static void add_block(const struct ts_study *s, const struct ts_study_task *task
 				continue;
 			}
 			m = ts_study_summary_mean(s, task, n, g - 1, result[k]);
-			add_mean(&m, most_runs(s, task, n, groups, result[k]), text);
+			add_mean(&m, count_runs(s, task, n, g - 1, result[k]), text);
 		}
 		ts_str_add(text, "\n");
 	}

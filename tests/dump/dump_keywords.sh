@@ -27,7 +27,7 @@ compute chain all pair/gran/local pos id force
 compute ends all property/local patom1 patom2
 region left block 0 0.6 0 1 0 1 units box
 timestep 1e-4'
-keywords='sort:sort 2|thresh:thresh x > 0.3|region:region left|format:format float %.15g|label:label rows|time:time yes|units:units yes|element:element Aa Bb|scale:scale no|image:image yes|header:header no|binary:binary yes'
+keywords='sort:sort 2|thresh:thresh x > 0.3|region:region left|format:format float %.15g|label:label rows|time:time yes|units:units yes|element:element Aa Aa|scale:scale no|image:image yes|header:header no|binary:binary yes'
 
 # judges STYLE FILE WORDS...: a dump with each keyword; `element` is given to those that need it
 judges() {
@@ -71,7 +71,7 @@ judges local/gran/vtk 'f*.vtk' chain
 judges euler/vtk 'f*.vtk' cells
 judges mesh/vtk 'f*.vtk' id area
 judges mesh/stl 'f*.stl'
-judges image 'f*.ppm' type diameter
+judges image 'f*.ppm' element diameter
 # ---- commands do not replace files that a dump or fix is writing
 open_files='units si
 boundary f f f

@@ -169,9 +169,9 @@ fix m9 all property/global coefficientPlasticityDepth peratomtypepair 2 0.1 0.1 
 pair_coeff * *
 thermo_style custom step pe
 run 0" 'models hooke/hysteresis and edinburgh have no potential energy'
-rejects "$head
+prints "$head
 fix still all freeze
-fix_modify still energy yes" 'fix freeze has no potential energy'
+fix_modify still energy yes" '*`energy yes` has no effect: fix freeze has no potential energy that could be counted'
 rejects "$head
 fix fall all gravity 9.81 vector 0 0 -1
 fix_modify fall virial yes" 'pressures are of contacts, bonds and motion'

@@ -243,6 +243,20 @@ for step in 0300 0400; do same "restart, $step" whole.$step.png whole/whole.$ste
 report '-check' $? out
 ls whole.0000.png >/dev/null 2>&1 && report '-check writes nothing' 1
 
+# The scale of a view without variables is that of the box at the definition; others follow the box.
+prints "$base
+fix 1 all nve/sphere
+timestep 1e-3
+variable one equal 1
+dump 1 all image 1 fixed.*.ppm type type size 80 80 box no
+dump 2 all image 1 follows.*.ppm type type zoom v_one size 80 80 box no
+run 0
+change_box all x delta -5 5 units box
+run 1" '*'
+same 'a fixed view of a larger box' fixed.0.ppm fixed.1.ppm
+cmp -s follows.0.ppm fixed.0.ppm && ! cmp -s follows.0.ppm follows.1.ppm
+report 'a view with a variable of a larger box' $?
+
 # a view that variables make impossible leaves out the picture, not the run; a file without `*`
 prints "$base
 fix 1 all nve/sphere

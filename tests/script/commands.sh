@@ -284,5 +284,19 @@ done
 [ -s pre.yes ] && cmp pre.yes pre.no
 report 'pre no: a film' $?
 
+# `quit` among the commands of `every` ends the run there
+for quit in '"if '"'"'$(step) >= 4'"'"' then quit"' 'quit' '"include in.quit"'; do
+	echo 'quit 3' >in.quit
+	printf '%s\n' "$box" 'thermo 0' "run 10 every 2 'print \"at \$(step)\"' $quit" 'print beyond' >in.script
+	run_script
+	status=$?
+	case $quit in
+	*if*) [ $status = 0 ] && [ "$(grep '^at\|^beyond' out)" = $'at 2\nat 4' ] ;;
+	*include*) [ $status = 3 ] && [ "$(grep '^at\|^beyond' out)" = 'at 2' ] ;;
+	*) [ $status = 0 ] && [ "$(grep '^at\|^beyond' out)" = 'at 2' ] ;;
+	esac
+	report "every: $quit" $?
+done
+
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

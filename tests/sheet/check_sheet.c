@@ -31,8 +31,33 @@ static enum ts_status read_sheets(struct ts_sheets *t, const char *path, struct 
 	return status;
 }
 
-static const char log_text[] = "tsim 0\n    Step   a\n   0 1.5\nmessage 3\n 10 nan\n2 3\nLoop time of 1\n"
-			       "    Step   a   a\n  10  1 2\n12345678 3 4\nLoop time of 1\n";
+static const char log_text[] =
+	"tsim 0\n    Step   a\n   0 1.5\nmessage 3\n  10 nan\n2 3\n 7 8\nLoop time of 1\n"
+	"    Step   a   a\n  10  1 2\n12345678 3 4\nLoop time of 1\n";
+
+/* Rows stand in the columns of the first one, and a step may be longer than its column; messages of as many numbers do not. */
+static const char columns_text[] = "    Step         KinEng \n"
+				   "99999990     1.68861 \n"
+				   "100000005 1\n"
+				   " 100000005 1.6 \n"
+				   "       7     1.68862 \n"
+				   "100000010     1.68863 \n"
+				   "Loop time of 1\n";
+
+START_TEST(log_with_messages_of_numbers)
+{
+	const char *path = write_file("log", columns_text);
+	struct ts_sheets t = { 0 };
+	struct ts_error err = { 0 };
+
+	ck_assert_msg(read_sheets(&t, path, &err) == TS_OK, "%s", err.message);
+	remove(path);
+	ck_assert_uint_eq(t.n, 1);
+	ck_assert_uint_eq(t.sheet[0].rows, 3);
+	ck_assert(t.sheet[0].column[0].value[2] == 100000010 && t.sheet[0].column[1].value[2] == 1.68863);
+	ts_sheets_release(&t);
+}
+END_TEST
 
 START_TEST(log_of_two_runs)
 {
@@ -99,6 +124,7 @@ int main(void)
 	Suite *suite = suite_create("sheet");
 	TCase *tcase = tcase_create("sheet");
 
+	tcase_add_test(tcase, log_with_messages_of_numbers);
 	tcase_add_test(tcase, log_of_two_runs);
 	tcase_add_test(tcase, memory);
 	suite_add_tcase(suite, tcase);

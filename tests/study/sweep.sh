@@ -125,6 +125,13 @@ sweep 'slow=0,1 a=1,2' -in in.wait -j 2 && shows '1 of them now, 0 failed' out
 report 'a killed run is repeated' $? out
 rm -r results
 
+# a mean tells of how many of its runs it is
+printf '%s\n' 'variable a index 1' 'variable seed index 1' 'variable p string ${a}' \
+	'if "${seed} == 3" then "variable p string nan"' 'print "RESULT p ${p}"' >in.gaps
+sweep 'a=1,2 seed=1,2,3' -in in.gaps && [ "$(grep -c ' +- 0 (2)' out)" = 2 ]
+report 'runs without a number' $? out
+rm -r results
+
 # a script that ends early with the first values
 printf '%s\n' 'variable a index 1' 'if "${a} == 0" then quit' 'print "RESULT u $(v_b*v_a) $x"' >in.early
 sweep 'a=0,1 x=2,3 b=4' -in in.early && [ "$(cell '^1,3,4,' u results/summary.csv)" = 4 ] && [ "$(wc -l <results/runs.csv)" = 5 ]

@@ -159,7 +159,7 @@ cat cube.stl cube.stl >twice.stl
 rejects "$start
 fix cad all mesh/surface file twice.stl type 1" 'has the same corners as another'
 prints "$start
-fix cad all mesh/surface file twice.stl type 1 heal auto_remove_duplicates" '*so do 11 others'
+fix cad all mesh/surface file twice.stl type 1 heal auto_remove_duplicates" '*so do 11 others; left out by `heal`'
 rejects "$start
 fix cad all mesh/surface file plate.stl type 1 curvature 50" 'curvature_tolerant yes'
 rejects "$start
