@@ -27,6 +27,16 @@ static enum ts_status make_dump_words(struct tsim *sim, struct ts_arena *arena, 
 	return TS_OK;
 }
 
+/* -check and -explain write nothing, but find values that are not known. */
+static enum ts_status evaluate_columns(struct tsim *sim, struct ts_instance *dump)
+{
+	struct ts_dump_common *d = dump->state;
+
+	for (size_t k = 0; k < d->ncolumns; k++)
+		TS_TRY(ts_dump_evaluate(&d->column[k], sim));
+	return TS_OK;
+}
+
 static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, struct ts_arena *arena,
 				     const struct ts_place *where)
 {
@@ -49,8 +59,9 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	common = dump->state;
 	common->single = !common->append;
 	common->once = true;
-	if (status == TS_OK && !sim->reading.explain)
-		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
+	if (status == TS_OK)
+		status = sim->reading.explain ? evaluate_columns(sim, dump)
+					      : dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
 	if (status == TS_OK)
 		return ts_sim_destroy(sim, TS_KIND_DUMP, &id);
 	error = sim->error;

@@ -122,6 +122,9 @@ enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool l
 /* The same for dumps of particles that need the values only row by row: ts_dump_value. */
 enum ts_status ts_dump_gather_rows(struct ts_instance *self, struct tsim *sim);
 double ts_dump_value(const struct tsim *sim, const struct ts_dump_column *c, size_t i);
+/* Adds the value of a column by its format; that of the column `element` is the name of a type. */
+void ts_dump_add_item(const struct ts_dump_common *d, struct ts_str *out, const struct ts_dump_column *c,
+		      double value);
 /* Writes the rows, items separated by blanks; `trailing`: with a blank at the end of a line, too. */
 enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing);
 /* The same as rows of comma-separated values that begin with the step. */

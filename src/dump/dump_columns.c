@@ -63,9 +63,14 @@ enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struc
 	if (!d->column)
 		TS_TRY(name_columns(self, sim, names, local));
 	for (size_t k = 0; k < d->ncolumns; k++) {
-		TS_TRY(ts_dump_make_column(self, sim, &d->column[k], local));
-		TS_TRY(ts_formats_choose(&d->formats, &sim->error, k, d->column[k].integer,
-					 d->column[k].integer ? "%d" : "%g", d->column[k].format));
+		struct ts_dump_column *c = &d->column[k];
+
+		TS_TRY(ts_dump_make_column(self, sim, c, local));
+		if (c->element)
+			TS_TRY(ts_formats_choose_text(&d->formats, &sim->error, k, c->format));
+		else
+			TS_TRY(ts_formats_choose(&d->formats, &sim->error, k, c->integer,
+						 c->integer ? "%d" : "%g", c->format));
 	}
 	return TS_OK;
 }

@@ -24,8 +24,8 @@ static double column_width(struct ts_dump_common *d, const struct ts_dump_column
 		double value = c->values.data[d->order[k * (d->nrows / n)]];
 
 		ts_str_clear(&d->text);
-		ts_format_add(&d->text, c->format, c->integer, value);
-		width += c->integer || fabs(value) > 0 ? (double)d->text.length : NUMBER_WIDTH;
+		ts_dump_add_item(d, &d->text, c, value);
+		width += c->integer || c->element || fabs(value) > 0 ? (double)d->text.length : NUMBER_WIDTH;
 	}
 	return n ? width / (double)n + 1 : 0;
 }

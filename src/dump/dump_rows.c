@@ -33,17 +33,20 @@ struct rows {
 	struct ts_parcel *mine; /* text for the first rank */
 };
 
-static void add_item(const struct rows *rows, struct ts_str *out, const struct ts_dump_column *c,
-		     double value)
+void ts_dump_add_item(const struct ts_dump_common *d, struct ts_str *out, const struct ts_dump_column *c,
+		      double value)
 {
-	const struct ts_words *element = &rows->dump->element;
+	const struct ts_words *element = &d->element;
+	char number[32];
 
-	if (!c->element)
+	if (!c->element) {
 		ts_format_add(out, c->format, c->integer, value);
-	else if (value >= 1 && value <= (double)element->n)
-		ts_str_add(out, element->word[(size_t)value - 1].text);
-	else
-		ts_str_addf(out, "%.0f", value);
+	} else if (value >= 1 && value <= (double)element->n) {
+		ts_format_add_text(out, c->format, element->word[(size_t)value - 1].text);
+	} else {
+		snprintf(number, sizeof number, "%.0f", value);
+		ts_format_add_text(out, c->format, number);
+	}
 }
 
 static void add_row(const struct rows *rows, struct ts_str *out, size_t row)
@@ -53,7 +56,7 @@ static void add_row(const struct rows *rows, struct ts_str *out, size_t row)
 	for (size_t k = 0; k < d->ncolumns; k++) {
 		const struct ts_dump_column *c = &d->column[k];
 
-		add_item(rows, out, c, ts_dump_value(rows->sim, c, (size_t)d->order[row]));
+		ts_dump_add_item(d, out, c, ts_dump_value(rows->sim, c, (size_t)d->order[row]));
 		if (rows->trailing || k + 1 < d->ncolumns)
 			ts_str_add_n(out, " ", 1);
 	}
@@ -72,7 +75,7 @@ static void add_cell(const struct rows *rows, struct ts_str *out, const struct t
 		return;
 	}
 	ts_str_add_n(out, ",", 1); /* the step is before it */
-	add_item(rows, out, c, value);
+	ts_dump_add_item(rows->dump, out, c, value);
 	if (c->element && !out->failed && strpbrk(out->text + n + 1, ",\" ")) {
 		out->length = n;
 		ts_csv_text(out, rows->dump->element.word[(size_t)value - 1].text);

@@ -121,11 +121,10 @@ enum ts_status ts_formats_change(struct ts_formats *f, struct ts_error *err, str
 	return TS_OK;
 }
 
-enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *err, size_t k, bool integer,
-				 const char *fallback, char out[TS_FORMAT_SIZE])
+/* The format of this column alone, or that of the line; NULL: none. */
+static const struct ts_word *format_of_column(const struct ts_formats *f, size_t k, bool whole_line)
 {
-	const char *kind = integer ? f->whole : f->real;
-	const struct ts_word *word = k < f->line.n && !*kind ? &f->line.word[k] : NULL;
+	const struct ts_word *word = k < f->line.n && whole_line ? &f->line.word[k] : NULL;
 
 	for (size_t n = 0; n < f->column.n; n += 2) {
 		int64_t column;
@@ -133,6 +132,30 @@ enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *er
 		if (ts_parse_int(f->column.word[n].text, &column) && column == (int64_t)k + 1)
 			word = &f->column.word[n + 1]; /* the last one applies */
 	}
+	return word;
+}
+
+enum ts_status ts_formats_choose_text(const struct ts_formats *f, struct ts_error *err, size_t k,
+				      char out[TS_FORMAT_SIZE])
+{
+	const struct ts_word *word = format_of_column(f, k, true);
+	const char *text = word ? word->text : "%s";
+	size_t width = *text ? strspn(text + 1, "-") : 0;
+
+	width += *text ? strspn(text + 1 + width, "0123456789") : 0;
+	if (*text != '%' || width > 3 || !ts_streq(text + 1 + width, "s"))
+		return ts_fail(err, TS_SYNTAX, &word->place,
+			       "'%s' is not a format of a name, expected %%s or for instance %%4s", text);
+	snprintf(out, TS_FORMAT_SIZE, "%s", text);
+	return TS_OK;
+}
+
+enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *err, size_t k, bool integer,
+				 const char *fallback, char out[TS_FORMAT_SIZE])
+{
+	const char *kind = integer ? f->whole : f->real;
+	const struct ts_word *word = format_of_column(f, k, !*kind);
+
 	if (!word)
 		return ts_format_check(*kind ? kind : fallback, integer, out) ? TS_OK : TS_SYNTAX;
 	return ts_format_check(word->text, integer, out) ? TS_OK : refuse_format(err, word, integer);
@@ -152,6 +175,11 @@ static int digits_of_g(const char *format)
 }
 
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
+void ts_format_add_text(struct ts_str *out, const char *format, const char *text)
+{
+	ts_str_addf(out, format, text);
+}
+
 void ts_format_add(struct ts_str *out, const char *format, bool integer, double value)
 {
 	char text[TS_DECIMAL_SIZE];

@@ -14,6 +14,9 @@ bool ts_format_check(const char *format, bool integer, char out[TS_FORMAT_SIZE])
 /* Adds the number; `format` comes from ts_format_check. */
 void ts_format_add(struct ts_str *out, const char *format, bool integer, double value);
 
+/* Adds the text; `format` comes from ts_formats_choose_text. */
+void ts_format_add_text(struct ts_str *out, const char *format, const char *text);
+
 /* Settings of the keyword `format` of thermo_modify and dump_modify. Zero-initialise. */
 struct ts_formats {
 	char real[TS_FORMAT_SIZE], whole[TS_FORMAT_SIZE]; /* float, int; "": not given */
@@ -28,5 +31,8 @@ enum ts_status ts_formats_change(struct ts_formats *formats, struct ts_error *er
  * fallback. */
 enum ts_status ts_formats_choose(const struct ts_formats *formats, struct ts_error *err, size_t k,
 				 bool integer, const char *fallback, char out[TS_FORMAT_SIZE]);
+/* The same for a column of names: %s, or with a width. */
+enum ts_status ts_formats_choose_text(const struct ts_formats *formats, struct ts_error *err, size_t k,
+				      char out[TS_FORMAT_SIZE]);
 
 #endif

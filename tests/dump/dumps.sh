@@ -40,6 +40,8 @@ printf '3\nAtoms. Timestep: 0\nC 0.25 0.5 0.5\nbit 1.5 0.5 0.25\nC 1 0.25 0.75\n
 wrote 'xyz' 'write_dump all xyz a.dump modify element C bit' a.dump
 frame 0 3 'id xu xsu proc element vz' '3 1 0.5 0 1 -0.5' '2 1.5 0.75 0 2 0' '1 2.25 1.125 0 1 0' >want
 wrote 'names, sorted downwards' 'write_dump all custom a.dump id xu xsu proc element vz modify sort -1' a.dump
+frame 0 3 'element x' '   A 0.25' ' bit 1.50' '   A 1.00' >want
+wrote 'a format of names' 'write_dump all custom a.dump element x modify element A bit format line "%4s %4.2f"' a.dump
 frame 0 3 'z id' '0.25 2' '0.5 1' '0.75 3' >want
 wrote 'sorted by a column' 'write_dump all custom a.dump z id modify sort 1' a.dump
 frame 0 1 'id' 1 >want

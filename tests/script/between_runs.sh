@@ -88,6 +88,15 @@ run 0
 delete_atoms group all compress no
 print \$($output)" 'contacts are known only after a run, and not if particles have been added or deleted since'
 done
+# -check finds it in a dump, too, which it does not write
+printf '%s\n' "$box" "$materials" "$column" 'compute p all pair/gran/local pos id force' 'write_dump all local p.txt c_p[1]' >in.dump
+for check in -check '-log none'; do
+	# shellcheck disable=SC2086
+	refused "contacts in a dump, $check" 'contacts are known only after a run' $check -in in.dump
+done
+sed -i 's/^write_dump/run 1\n&/' in.dump
+"$TSIM" -check -in in.dump >out 2>&1 && "$TSIM" -in in.dump -log none >out 2>&1
+report 'contacts in a dump behind a run' $? out
 prints 'units si
 atom_style sphere
 boundary f f f
