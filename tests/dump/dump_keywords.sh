@@ -55,7 +55,7 @@ judges() {
 	while IFS=: read -r name words; do
 		diff -r plain "$name" >difference
 		effect=$?
-		grep -q "dump_modify: $name has no effect on dump $style\$" out
+		grep -qE "dump_modify: $name has no effect on (dump $style|comma-separated values)\$" out
 		warned=$((1 - $?))
 		[ $((effect + warned)) = 1 ]
 		report "dump $style: $name: frames differ: $effect, warning: $warned" $? out
@@ -63,8 +63,10 @@ judges() {
 }
 judges atom f.dump
 judges custom f.dump id element x
+judges custom f.csv id element x
 judges xyz f.xyz
 judges local f.dump index 'c_chain[1]' 'c_chain[7]'
+judges local f.csv index 'c_chain[1]' 'c_chain[7]'
 judges custom/vtk 'f*.vtk' id x y z
 judges local/vtk 'f*.vtk' 'c_ends[1]' 'c_ends[2]' 'c_chain[10]'
 judges local/gran/vtk 'f*.vtk' chain
