@@ -227,4 +227,12 @@ has "page of an interruption" k.html '>interrupted<' 'stopped on request after s
 ! grep -q 'http-equiv="refresh"' k.html
 report "which does not reload itself" $?
 
+# keywords of a picture that share a list are shown once
+printf '%s\n' 'boundary f f f' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' 'create_atoms 1 single 0.5 0.5 0.5 units box' \
+	'region q sphere 0.5 0.5 0.5 0.2 units box' 'fix w all wall/gran hooke 1 NULL 1 NULL 0.5 0 type 1 zplane 0.0' 'pair_style none' \
+	'dump d all image 1 q.ppm type diameter wall all color red region q blue filled size 20 20' 'run 0' >in.parts
+"$TSIM" -report parts.html -in in.parts -log none >out 2>&1
+shows 'type diameter diameter wall all color red region q blue filled size' parts.html && ! grep -q 'diameter mesh all\|voxel all' parts.html
+report 'keywords of a picture' $? out
+
 finish
