@@ -232,7 +232,8 @@ printf '%s\n' 'boundary f f f' 'region box block 0 1 0 1 0 1 units box' 'create_
 	'region q sphere 0.5 0.5 0.5 0.2 units box' 'fix w all wall/gran hooke 1 NULL 1 NULL 0.5 0 type 1 zplane 0.0' 'pair_style none' \
 	'dump d all image 1 q.ppm type diameter wall all color red region q blue filled size 20 20' 'run 0' >in.parts
 "$TSIM" -report parts.html -in in.parts -log none >out 2>&1
-shows 'type diameter diameter wall all color red region q blue filled size' parts.html && ! grep -q 'diameter mesh all\|voxel all' parts.html
-report 'keywords of a picture' $? out
+grep -o 'dump image: [^<;]*' parts.html >shown
+grep -q 'diameter diameter wall all color red region q blue filled size' shown && ! grep -q 'mesh\|voxel' shown
+report 'keywords of a picture' $? shown
 
 finish
