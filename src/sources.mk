@@ -723,8 +723,8 @@ library_sources = \
 	src/group/group_function.h \
 	src/group/group_members.c \
 	src/group/group_members.h \
-	src/group/group_spin.c \
-	src/group/group_spin.h \
+	src/group/group_motion.c \
+	src/group/group_motion.h \
 	src/group/kinetic_energy.c \
 	src/group/kinetic_energy.h \
 	src/group/temperature.c \
@@ -1426,11 +1426,15 @@ library_sources = \
 	src/rigid/rigid_batch.h \
 	src/rigid/rigid_box.c \
 	src/rigid/rigid_box.h \
+	src/rigid/rigid_change.c \
+	src/rigid/rigid_change.h \
 	src/rigid/rigid_follow.c \
 	src/rigid/rigid_follow.h \
 	src/rigid/rigid_motion.c \
 	src/rigid/rigid_motion.h \
 	src/rigid/rigid_ranks.c \
+	src/rigid/rigid_share.c \
+	src/rigid/rigid_share.h \
 	src/rigid/rigid_system.c \
 	src/rough/asperity_theory.c \
 	src/rough/asperity_theory.h \
@@ -1623,10 +1627,10 @@ library_sources = \
 	src/wall/wall_contacts.h \
 	src/wall/wall_flight.c \
 	src/wall/wall_flight.h \
-	src/wall/wall_law.c \
-	src/wall/wall_law.h \
 	src/wall/wall_inserted.c \
 	src/wall/wall_inserted.h \
+	src/wall/wall_law.c \
+	src/wall/wall_law.h \
 	src/wall/wall_loss.c \
 	src/wall/wall_loss.h \
 	src/wall/wall_multicontact.c \

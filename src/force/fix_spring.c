@@ -4,8 +4,10 @@
 
 #include <math.h>
 
+#include "group/group_motion.h"
 #include "math/vec3.h"
 #include "particle/group_moments.h"
+#include "rigid/rigid_share.h"
 
 #include "base/banned.h"
 
@@ -19,6 +21,22 @@ struct state {
 	double mass;		 /* as in the limit of the step, at the start of a run */
 };
 
+/* Adds a force on particle i; of a sphere of a clump it acts at the centre of mass of the clump, not at that of the sphere. */
+static void add_force(struct tsim *sim, size_t i, const double force[3])
+{
+	const struct ts_body *clump = ts_rigid_clump_of(sim, i);
+	struct ts_particles *p = sim->particles;
+	double arm[3], torque[3];
+
+	ts_add(p->f[i], force, p->f[i]);
+	if (!clump)
+		return;
+	ts_unwrapped(sim, i, arm);
+	ts_sub(arm, clump->x, arm);
+	ts_cross(arm, force, torque);
+	ts_sub(p->torque[i], torque, p->torque[i]);
+}
+
 /* Distributes a force over a group in proportion to mass: all particles get the same acceleration. */
 static void distribute_force(struct tsim *sim, int group, const double force[3], double sign)
 {
@@ -26,9 +44,15 @@ static void distribute_force(struct tsim *sim, int group, const double force[3],
 	double mass = ts_group_mass(sim, group);
 
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		for (int k = 0; ts_in_group(p, i, group) && k < 3; k++)
-			p->f[i][k] += sign * force[k] * (p->mass[i] / mass);
+	for (size_t i = 0; i < p->n; i++) {
+		double part[3];
+
+		if (!ts_in_group(p, i, group))
+			continue;
+		for (int k = 0; k < 3; k++)
+			part[k] = sign * force[k] * (p->mass[i] / mass);
+		add_force(sim, i, part);
+	}
 }
 
 /* Vector from the fixed end of the spring to the centre of mass of the group; 0 in free directions. */

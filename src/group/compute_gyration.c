@@ -1,5 +1,7 @@
 /* Compute gyration: radius and tensor of gyration. */
+#include "group/group_motion.h"
 #include "particle/group_moments.h"
+#include "rigid/rigid_share.h"
 
 #include <math.h>
 
@@ -7,16 +9,19 @@
 
 #include "base/banned.h"
 
-/* Terms m (x_a - c_a) (x_b - c_b), and m. */
+/* Terms m (x_a - c_a) (x_b - c_b), and m. Of a clump with moments of inertia I about its centre of mass the integral of
+ * (x_a - X_a) (x_b - X_b) over its mass, (1 trace I / 2 - I)_ab, is added. */
 static void second_moment_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	const double *centre = context;
-	double m = sim->particles->mass[i], d[3];
+	double m = sim->particles->mass[i], d[3], own[6];
 
-	ts_unwrapped(sim, i, d);
+	ts_rigid_share_place(sim, i, d);
+	ts_rigid_share_inertia(sim, i, own);
 	ts_sub(d, centre, d);
 	for (int k = 0; k < 6; k++)
-		term[k] = m * d[ts_tensor_row[k]] * d[ts_tensor_column[k]];
+		term[k] = m * d[ts_tensor_row[k]] * d[ts_tensor_column[k]] - own[k] +
+			  (k < 3 ? (own[0] + own[1] + own[2]) / 2 : 0);
 	term[6] = m;
 }
 
@@ -62,7 +67,9 @@ const struct ts_style ts_compute_gyration = {
 	       "    R^2 = sum m (x - c)^2 / sum m\n\n"
 	       "The vector is the gyration tensor with the components xx, yy, zz, xy, xz, yz:\n\n"
 	       "    G_ab = sum m (x_a - c_a) (x_b - c_b) / sum m\n\n"
-	       "All are 0 for an empty group.",
+	       "Particles are points, as in LAMMPS; a clump (fix multisphere) counts with the distribution "
+	       "of "
+	       "its mass. All are 0 for an empty group.",
 	.example = "compute size clump gyration",
 	.values = values,
 };

@@ -1,4 +1,5 @@
 /* Compute temp/com: temperature of the motion relative to the centre of mass. */
+#include "group/group_motion.h"
 #include "group/temperature.h"
 
 #include "base/banned.h"

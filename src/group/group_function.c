@@ -1,5 +1,5 @@
 /* Functions of formulas that sum over a group, or over its particles in a region. As in LAMMPS, positions are
- * unwrapped, and particles are points. */
+ * unwrapped, and particles are points; clumps are bodies: rigid/rigid_share.h. */
 #include "group/group_function.h"
 
 #include <math.h>
@@ -12,6 +12,7 @@
 #include "math/exactsum.h"
 #include "particle/particles.h"
 #include "region/region.h"
+#include "rigid/rigid_share.h"
 
 #include "base/banned.h"
 
@@ -66,6 +67,14 @@ static double unwrapped_coordinate(const struct selection *c, size_t i, int dim)
 	return c->p->x[i][dim] + c->p->image[i][dim] * ts_box_length(&c->sim->domain->box, dim);
 }
 
+/* Of the mass of a particle. */
+static double mass_coordinate(const struct selection *c, size_t i, int dim)
+{
+	const struct ts_body *clump = ts_rigid_clump_of(c->sim, i);
+
+	return clump ? clump->x[dim] : unwrapped_coordinate(c, i, dim);
+}
+
 static double count_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)c, (void)i, (void)a, (void)b;
@@ -81,13 +90,13 @@ static double mass_term(const struct selection *c, size_t i, int a, int b)
 static double mass_position_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)b;
-	return c->p->mass[i] * unwrapped_coordinate(c, i, a);
+	return c->p->mass[i] * mass_coordinate(c, i, a);
 }
 
 static double momentum_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)b;
-	return c->p->mass[i] * c->p->v[i][a];
+	return c->p->mass[i] * ts_rigid_share_velocity(c->sim, i)[a];
 }
 
 static double kinetic_energy_term(const struct selection *c, size_t i, int a, int b)
@@ -102,39 +111,44 @@ static double force_term(const struct selection *c, size_t i, int a, int b)
 	return c->p->f[i][a];
 }
 
-static void arm_from_centre(const struct selection *c, size_t i, double d[3])
+/* From the centre of the selection to the mass of a particle. */
+static void arm_of_mass(const struct selection *c, size_t i, double d[3])
 {
 	for (int k = 0; k < 3; k++)
-		d[k] = unwrapped_coordinate(c, i, k) - c->centre[k];
+		d[k] = mass_coordinate(c, i, k) - c->centre[k];
 }
 
 static double mass_r2_term(const struct selection *c, size_t i, int a, int b)
 {
-	double d[3];
+	double d[3], own[6];
 
 	(void)a, (void)b;
-	arm_from_centre(c, i, d);
-	return c->p->mass[i] * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+	arm_of_mass(c, i, d);
+	ts_rigid_share_inertia(c->sim, i, own);
+	return c->p->mass[i] * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) + (own[0] + own[1] + own[2]) / 2;
 }
 
 static double inertia_term(const struct selection *c, size_t i, int a, int b)
 {
-	double d[3];
+	double d[3], own[6];
 
-	arm_from_centre(c, i, d);
+	arm_of_mass(c, i, d);
+	ts_rigid_share_inertia(c->sim, i, own);
 	if (a != b)
-		return -c->p->mass[i] * d[a] * d[b];
-	return c->p->mass[i] * (d[(a + 1) % 3] * d[(a + 1) % 3] + d[(a + 2) % 3] * d[(a + 2) % 3]);
+		return -c->p->mass[i] * d[a] * d[b] + own[a + b + 2];
+	return c->p->mass[i] * (d[(a + 1) % 3] * d[(a + 1) % 3] + d[(a + 2) % 3] * d[(a + 2) % 3]) + own[a];
 }
 
 static double angular_momentum_term(const struct selection *c, size_t i, int a, int b)
 {
+	const double *v = ts_rigid_share_velocity(c->sim, i);
 	int u = (a + 1) % 3, w = (a + 2) % 3;
-	double d[3];
+	double d[3], own[3];
 
 	(void)b;
-	arm_from_centre(c, i, d);
-	return c->p->mass[i] * (d[u] * c->p->v[i][w] - d[w] * c->p->v[i][u]);
+	arm_of_mass(c, i, d);
+	ts_rigid_share_spin(c->sim, i, own);
+	return c->p->mass[i] * (d[u] * v[w] - d[w] * v[u]) + own[a];
 }
 
 static double torque_term(const struct selection *c, size_t i, int a, int b)
@@ -143,7 +157,8 @@ static double torque_term(const struct selection *c, size_t i, int a, int b)
 	double d[3];
 
 	(void)b;
-	arm_from_centre(c, i, d);
+	for (int k = 0; k < 3; k++)
+		d[k] = unwrapped_coordinate(c, i, k) - c->centre[k];
 	return d[u] * c->p->f[i][w] - d[w] * c->p->f[i][u];
 }
 
@@ -423,10 +438,11 @@ static const struct ts_function functions[] = {
 	PART("vcm", "x|y|z", eval_vcm, "velocity of the centre of mass"),
 	PART("fcm", "x|y|z", eval_fcm, "total force"),
 	PART("angmom", "x|y|z", eval_angmom,
-	     "angular momentum about the centre of mass, without rotation of the particles"),
+	     "angular momentum about the centre of mass, without rotation of the particles other than "
+	     "clumps"),
 	PART("torque", "x|y|z", eval_torque, "torque of the forces about the centre of mass"),
 	PART("inertia", "xx|yy|zz|xy|yz|xz", eval_inertia,
-	     "inertia tensor about the centre of mass, of point masses"),
+	     "inertia tensor about the centre of mass, of point masses and clumps"),
 	PART("omega", "x|y|z", eval_omega, "angular velocity omega, where I omega = L"),
 	PART("bound", "xmin|xmax|ymin|ymax|zmin|zmax", eval_bound,
 	     "smallest or largest coordinate of centres"),

@@ -3,23 +3,14 @@
 #include "math/vec3.h"
 #include "particle/group_moments.h"
 #include "particle/sphere_shape.h"
-#include "rigid/rigid.h"
+#include "rigid/rigid_share.h"
 
 #include "base/banned.h"
-
-/* The clump of particle i, or NULL; kind > 0: inserted from a template of clumps. */
-static const struct ts_body *clump_of(const struct tsim *sim, size_t i)
-{
-	const struct ts_body *body = ts_rigid_body_of(sim, i);
-
-	return body && body->kind > 0 ? body : NULL;
-}
 
 double ts_kinetic_energy(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_body *clump = clump_of(sim, i);
-	const double *v = clump ? clump->v : p->v[i];
+	const double *v = ts_rigid_share_velocity(sim, i);
 
 	return 0.5 * p->mass[i] * ts_dot(v, v);
 }
@@ -28,7 +19,7 @@ double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 
-	if (!p->omega || clump_of(sim, i))
+	if (!p->omega || ts_rigid_clump_of(sim, i))
 		return 0;
 	return 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
 }
@@ -48,7 +39,7 @@ static void rotation_term(const struct tsim *sim, size_t i, void *context, doubl
 /* Spheres of clumps have shares of the energy of their clump. */
 static void all_rotation_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	const struct ts_body *clump = clump_of(sim, i);
+	const struct ts_body *clump = ts_rigid_clump_of(sim, i);
 
 	(void)context;
 	term[0] = clump ? 0.5 * ts_dot(clump->spin, clump->omega) * (sim->particles->mass[i] / clump->mass)

@@ -6,7 +6,7 @@
 
 #include "box/domain.h"
 #include "core/ranks_pause.h"
-#include "group/group_spin.h"
+#include "group/group_motion.h"
 #include "group/temperature.h"
 #include "math/ramp.h"
 #include "math/rng.h"
@@ -14,6 +14,8 @@
 #include "particle/group_moments.h"
 #include "particle/particles.h"
 #include "region/region.h"
+#include "rigid/rigid_change.h"
+#include "rigid/rigid_follow.h"
 
 #include "base/banned.h"
 
@@ -41,34 +43,39 @@ static double unit_length(const struct tsim *sim, const struct state *s, int dim
 	return ts_domain_scale(sim, s->units, dim);
 }
 
-static void zero_momentum(struct tsim *sim, int group)
+/* Clumps that are in the group as a whole get the change at once, so that it is that of their centres of mass. */
+static enum ts_status zero_momentum(struct tsim *sim, int group)
 {
 	struct ts_particles *p = sim->particles;
-	double v[3];
+	struct ts_rigid_motion mean = { 0 };
 
-	ts_group_velocity(sim, group, v);
+	TS_TRY(ts_rigid_take_clump_velocities(sim, group));
+	ts_group_velocity(sim, group, mean.v);
 	for (size_t i = 0; i < p->n; i++)
 		for (int d = 0; ts_in_group(p, i, group) && d < 3; d++)
-			p->v[i][d] -= v[d];
+			p->v[i][d] -= mean.v[d];
+	return ts_rigid_subtract_motion(sim, group, true, &mean);
 }
 
-/* Subtracts the rigid rotation with the angular momentum of the group. */
-static void zero_rotation(struct tsim *sim, int group)
+/* Subtracts the rigid rotation with the angular momentum of the group, to which the rotation of clumps belongs. */
+static enum ts_status zero_rotation(struct tsim *sim, int group)
 {
 	struct ts_particles *p = sim->particles;
-	double centre[3], omega[3];
+	struct ts_rigid_motion mean = { 0 };
 
-	ts_group_spin(sim, group, centre, omega);
+	TS_TRY(ts_rigid_take_clump_velocities(sim, group));
+	ts_group_spin(sim, group, mean.centre, mean.omega);
 	for (size_t i = 0; i < p->n; i++) {
 		double arm[3], turn[3];
 
 		if (!ts_in_group(p, i, group))
 			continue;
 		ts_unwrapped(sim, i, arm);
-		ts_sub(arm, centre, arm);
-		ts_cross(omega, arm, turn);
+		ts_sub(arm, mean.centre, arm);
+		ts_cross(mean.omega, arm, turn);
 		ts_sub(p->v[i], turn, p->v[i]);
 	}
+	return ts_rigid_subtract_motion(sim, group, true, &mean);
 }
 
 static double group_temperature(const struct tsim *sim, int group, double *count)
@@ -228,11 +235,11 @@ static enum ts_status create_velocities(struct tsim *sim, const struct state *s,
 	if (s->bias)
 		add_mean_velocity(sim, s, mean, -1);
 	draw_velocities(sim, s);
-	if (s->momentum && ts_group_count(sim, s->group) > 1)
-		zero_momentum(sim, s->group);
-	if (s->rotation)
-		zero_rotation(sim, s->group);
-	status = rescale_to_temperature(sim, s, s->bias, where);
+	status = s->momentum && ts_group_count(sim, s->group) > 1 ? zero_momentum(sim, s->group) : TS_OK;
+	if (status == TS_OK && s->rotation)
+		status = zero_rotation(sim, s->group);
+	if (status == TS_OK)
+		status = rescale_to_temperature(sim, s, s->bias, where);
 	if (s->bias)
 		add_mean_velocity(sim, s, mean, 1);
 	for (size_t i = 0; s->sum && status == TS_OK && i < p->n; i++)
@@ -265,18 +272,10 @@ static bool is_zero(const struct state *s)
 	return true;
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_in_mode(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
-	const struct state *s = state;
 	struct ts_particles *p = sim->particles;
 
-	if (s->bias && !s->temp)
-		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
-			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
-	if (s->temp || p->body) /* a compute; bodies follow their members */
-		TS_TRY(ts_ranks_unite(sim));
-	if ((s->mode == SET && !is_zero(s)) || s->mode == RAMP)
-		ts_domain_units_said(sim, s->units, where);
 	switch (s->mode) {
 	case SET:
 		return set_velocities(sim, s, where);
@@ -290,13 +289,28 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		break;
 	}
 	if (s->zero == LINEAR)
-		zero_momentum(sim, s->group);
-	else if (s->zero == ANGULAR)
-		zero_rotation(sim, s->group);
+		return zero_momentum(sim, s->group);
+	if (s->zero == ANGULAR)
+		return zero_rotation(sim, s->group);
 	for (size_t i = 0; s->zero == EACH && p->omega && i < p->n; i++)
 		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
 			p->omega[i][d] = 0;
 	return TS_OK;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+
+	if (s->bias && !s->temp)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
+			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
+	if (s->temp || sim->particles->body) /* a compute; bodies follow their members */
+		TS_TRY(ts_ranks_unite(sim));
+	if ((s->mode == SET && !is_zero(s)) || s->mode == RAMP)
+		ts_domain_units_said(sim, s->units, where);
+	TS_TRY(set_in_mode(sim, s, where));
+	return ts_rigid_take_clump_velocities(sim, s->group);
 }
 
 #define COMPONENT(name, d)                                                                                \

@@ -1,4 +1,5 @@
 /* Compute msd: mean squared displacement. */
+#include "group/group_motion.h"
 #include "particle/group_moments.h"
 #include "particle/reference.h"
 

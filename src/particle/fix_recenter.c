@@ -5,8 +5,10 @@
 #include <math.h>
 
 #include "box/domain.h"
+#include "group/group_motion.h"
 #include "math/vec3.h"
 #include "particle/group_moments.h"
+#include "rigid/rigid_change.h"
 
 #include "base/banned.h"
 
@@ -67,9 +69,9 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 		s->shift[k] = s->held[k] ? target_coordinate(s, sim, k) - centre[k] : 0;
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
-		for (int k = 0; ts_in_group(p, i, group) && k < 3; k++)
+		for (int k = 0; ts_in_group(p, i, group) && !ts_rigid_member(p, i) && k < 3; k++)
 			p->x[i][k] += s->shift[k];
-	return TS_OK;
+	return ts_rigid_shift(sim, group, s->shift);
 }
 
 static enum ts_status eval_distance(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -127,7 +129,9 @@ const struct ts_style ts_fix_recenter = {
 	.summary = "Keeps the centre of mass of a group at a given position",
 	.doc = "In each step, after positions have been integrated, the particles of the shifted group are "
 	       "moved together so that the centre of mass of the fix's group (unwrapped positions) is at the "
-	       "given coordinates. Velocities do not change. Define the fix after the fixes that integrate.",
+	       "given coordinates. Velocities do not change. Rigid bodies with a member in the shifted group "
+	       "are "
+	       "moved as a whole. Define the fix after the fixes that integrate.",
 	.example = "fix still ball recenter INIT INIT NULL shift all",
 	.args = args,
 	.state_size = sizeof(struct state),

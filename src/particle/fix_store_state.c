@@ -3,8 +3,8 @@
 
 #include "core/sim.h"
 #include "core/unclaimed_state.h"
+#include "group/group_motion.h"
 #include "particle/columns.h"
-#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

@@ -41,25 +41,6 @@ static void mass_term(const struct tsim *sim, size_t i, void *context, double *t
 	term[0] = sim->particles->mass[i];
 }
 
-static void mass_position_terms(const struct tsim *sim, size_t i, void *context, double *term)
-{
-	double x[3];
-
-	(void)context;
-	ts_unwrapped(sim, i, x);
-	term[3] = sim->particles->mass[i];
-	for (int d = 0; d < 3; d++)
-		term[d] = term[3] * x[d];
-}
-
-static void momentum_terms(const struct tsim *sim, size_t i, void *context, double *term)
-{
-	(void)context;
-	term[3] = sim->particles->mass[i];
-	for (int d = 0; d < 3; d++)
-		term[d] = term[3] * sim->particles->v[i][d];
-}
-
 double ts_group_count(const struct tsim *sim, int group)
 {
 	double out;
@@ -74,23 +55,4 @@ double ts_group_mass(const struct tsim *sim, int group)
 
 	ts_group_sum(sim, group, 1, mass_term, NULL, &out);
 	return out;
-}
-
-static void mass_weighted_mean(const struct tsim *sim, int group, ts_term_fn *term, double out[3])
-{
-	double sum[4];
-
-	ts_group_sum(sim, group, 4, term, NULL, sum);
-	for (int d = 0; d < 3; d++)
-		out[d] = sum[3] > 0 ? sum[d] / sum[3] : 0;
-}
-
-void ts_group_centre(const struct tsim *sim, int group, double x[3])
-{
-	mass_weighted_mean(sim, group, mass_position_terms, x);
-}
-
-void ts_group_velocity(const struct tsim *sim, int group, double v[3])
-{
-	mass_weighted_mean(sim, group, momentum_terms, v);
 }

@@ -1,5 +1,5 @@
-/* Sums over the particles of a group: number, mass, centre of mass, momentum. Sums are exact and rounded
- * once, so they do not depend on the order of the particles. Positions are unwrapped. */
+/* Sums over the particles of a group, number and mass, and positions for them. Sums are exact and rounded once, so they do
+ * not depend on the order of the particles. Positions are unwrapped. */
 #ifndef TS_PARTICLE_GROUP_MOMENTS_H
 #define TS_PARTICLE_GROUP_MOMENTS_H
 
@@ -45,9 +45,6 @@ static inline void ts_wrapped(const struct tsim *sim, size_t i, double x[3], int
 /* Number and mass of the particles in the group. */
 double ts_group_count(const struct tsim *sim, int group);
 double ts_group_mass(const struct tsim *sim, int group);
-/* Centre of mass (unwrapped) and its velocity; 0 for an empty group. */
-void ts_group_centre(const struct tsim *sim, int group, double x[3]);
-void ts_group_velocity(const struct tsim *sim, int group, double v[3]);
 
 /* Sums `width` <= TS_MOST_TERMS numbers over the group; the function writes those of particle i to term[]. */
 enum { TS_MOST_TERMS = 8 };

@@ -52,19 +52,30 @@ static bool moves_otherwise(const struct tsim *sim, const struct ts_body *body, 
 	       sqrt(ts_distance2(body->omega, p->omega[i])) > OTHER_VELOCITY * ts_norm(body->omega);
 }
 
+/* Velocity of the centre of mass of the body if it moves with `members`. */
+static void velocity_at_centre(const struct ts_body *members, struct ts_body *body)
+{
+	double arm[3], v[3];
+
+	ts_sub(body->x, members->x, arm);
+	velocity_of(members, arm, v);
+	memcpy(body->v, v, sizeof body->v);
+}
+
 /* The motion of a body that is nearest to that of its members, in the norm of their kinetic energy: for spheres that do
- * not overlap, that with their momentum and angular momentum. */
+ * not overlap, that with their momentum and angular momentum. The centre of mass of a clump is not that of its spheres:
+ * there the velocity is that of the motion of their centres alone, so that equal velocities of all are that of the clump,
+ * however the spheres rotate. */
 static enum ts_status take_velocities(struct tsim *sim, struct ts_body *body, struct members m)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_body of_members;
-	double arm[3], v[3];
+	struct ts_body spheres, points;
+	double arm[3];
 
-	TS_TRY(ts_rigid_of_spheres(sim, m.row, m.n, &of_members));
-	ts_sub(body->x, of_members.x, arm);
-	memcpy(body->omega, of_members.omega, sizeof body->omega);
-	velocity_of(&of_members, arm, v);
-	memcpy(body->v, v, sizeof body->v);
+	TS_TRY(ts_rigid_of_spheres(sim, m.row, m.n, &spheres));
+	TS_TRY(ts_rigid_of_points(sim, m.row, m.n, &points));
+	memcpy(body->omega, spheres.omega, sizeof body->omega);
+	velocity_at_centre(body->kind > 0 ? &points : &spheres, body);
 	ts_rigid_angular_momentum(body->q, body->inertia, body->omega, body->spin);
 	for (size_t k = 0; k < m.n; k++) {
 		size_t i = (size_t)m.row[k];
@@ -76,20 +87,45 @@ static enum ts_status take_velocities(struct tsim *sim, struct ts_body *body, st
 	return TS_OK;
 }
 
+static enum ts_status take_changed_velocities(struct tsim *sim, size_t b)
+{
+	const struct ts_rigid *r = sim->rigid;
+	struct members m = members_of(r, b);
+	bool otherwise = false;
+
+	for (size_t k = 0; k < m.n; k++)
+		otherwise |= moves_otherwise(sim, &r->body[b], (size_t)m.row[k]);
+	if (otherwise && m.n == (size_t)r->size[b] && ts_rigid_owner_lives(sim, r->owner[b]))
+		return take_velocities(sim, &r->body[b], m);
+	return TS_OK;
+}
+
 enum ts_status ts_rigid_take_velocities(struct tsim *sim)
 {
-	struct ts_rigid *r = sim->rigid;
+	const struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_rigid_list(sim));
-	for (size_t b = 0; b < r->n; b++) {
-		struct members m = members_of(r, b);
-		bool otherwise = false;
+	for (size_t b = 0; b < r->n; b++)
+		TS_TRY(take_changed_velocities(sim, b));
+	return TS_OK;
+}
 
-		for (size_t k = 0; k < m.n; k++)
-			otherwise |= moves_otherwise(sim, &r->body[b], (size_t)m.row[k]);
-		if (otherwise && m.n == (size_t)r->size[b] && ts_rigid_owner_lives(sim, r->owner[b]))
-			TS_TRY(take_velocities(sim, &r->body[b], m));
-	}
+static bool all_in_group(const struct tsim *sim, struct members m, int group)
+{
+	for (size_t k = 0; k < m.n; k++)
+		if (!ts_in_group(sim->particles, (size_t)m.row[k], group))
+			return false;
+	return true;
+}
+
+enum ts_status ts_rigid_take_clump_velocities(struct tsim *sim, int group)
+{
+	const struct ts_rigid *r = sim->rigid;
+
+	TS_TRY(ts_rigid_list(sim));
+	for (size_t b = 0; b < r->n; b++)
+		if (r->body[b].kind > 0 && all_in_group(sim, members_of(r, b), group))
+			TS_TRY(take_changed_velocities(sim, b));
 	return TS_OK;
 }
 

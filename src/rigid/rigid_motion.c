@@ -73,10 +73,10 @@ void ts_body_move(struct ts_body *b, double dt)
 	ts_rigid_advance_orientation(b->inertia, b->spin, b->omega, dt, b->q);
 }
 
-/* Adds I_i + m (d^2 1 - d d) of particle i to the inertia tensor. */
-static void add_inertia(const struct tsim *sim, size_t i, const double d[3], double tensor[6])
+/* Adds I_i + m (d^2 1 - d d) of particle i, with its own moment of inertia, to the inertia tensor. */
+static void add_inertia(const struct tsim *sim, size_t i, double own, const double d[3], double tensor[6])
 {
-	double m = sim->particles->mass[i], own = ts_inertia(sim, i), d2 = ts_dot(d, d);
+	double m = sim->particles->mass[i], d2 = ts_dot(d, d);
 
 	for (int k = 0; k < 3; k++)
 		tensor[k] += own + m * (d2 - d[k] * d[k]);
@@ -100,7 +100,8 @@ void ts_rigid_principal(struct ts_body *body, const double tensor[6])
 	ts_quaternion_of_matrix(m, body->q);
 }
 
-enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body)
+static enum ts_status body_of(struct tsim *sim, const int32_t *row, size_t n, bool points,
+			      struct ts_body *body)
 {
 	const struct ts_particles *p = sim->particles;
 	double tensor[6] = { 0 }, x[3], d[3], l[3];
@@ -120,16 +121,27 @@ enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t 
 	ts_scale(1 / body->mass, body->v, body->v);
 	for (size_t k = 0; k < n; k++) {
 		size_t i = (size_t)row[k];
+		double own = points ? 0 : ts_inertia(sim, i);
 
 		ts_unwrapped(sim, i, x);
 		ts_sub(x, body->x, d);
-		add_inertia(sim, i, d, tensor);
+		add_inertia(sim, i, own, d, tensor);
 		ts_cross(d, p->v[i], l);
 		ts_axpy(p->mass[i], l, body->spin);
 		if (p->omega)
-			ts_axpy(ts_inertia(sim, i), p->omega[i], body->spin);
+			ts_axpy(own, p->omega[i], body->spin);
 	}
 	ts_rigid_principal(body, tensor);
 	ts_rigid_omega(body->q, body->inertia, body->spin, body->omega);
 	return TS_OK;
+}
+
+enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body)
+{
+	return body_of(sim, row, n, false, body);
+}
+
+enum ts_status ts_rigid_of_points(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body)
+{
+	return body_of(sim, row, n, true, body);
 }

@@ -5,9 +5,11 @@
 #include "rigid/rigid.h"
 
 /* Computes mass, centre of mass, moments, orientation and velocities from n particles, each a sphere or
- * disc; and principal moments and orientation from an inertia tensor xx, yy, zz, xy, xz, yz about the
- * centre of mass. */
+ * disc. */
 enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body);
+/* The same of n points of mass at the centres of the particles: particles neither rotate nor have moments of their own. */
+enum ts_status ts_rigid_of_points(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body);
+/* Principal moments and orientation from an inertia tensor xx, yy, zz, xy, xz, yz about the centre of mass. */
 void ts_rigid_principal(struct ts_body *body, const double tensor[6]);
 
 /* Makes the particles row[] members of the body with this id, at their positions in the frame of its principal axes. */

@@ -267,4 +267,104 @@ group g id 2
 delete_atoms group g compress no
 run 1
 print \"\$(count(all)) left\"" '*1 rigid bodies lack members, which delete_atoms has deleted' '0 left'
+
+# A clump whose spheres overlap: its centre of mass is not that of the spheres. It flies with 1 m/s in x and rotates with 20/s.
+cat >in.clump <<'END'
+units si
+boundary p p p
+newton off
+region b block -1 1 -1 1 -1 1 units box
+create_box 1 b
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
+pair_style gran model hertz
+pair_coeff * *
+timestep 1e-4
+fix stone all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 ntry 20000 &
+	spheres 0 0 0 0.1  0.1 0 0 0.1  0.12 0 0 0.1 type 1
+fix pd all particledistribution/discrete 32452843 1 stone 1.0
+region r block -0.3 0.3 -0.3 0.3 -0.3 0.3 units box
+fix ins all insert/pack seed 32452867 distributiontemplate pd insert_every once overlapcheck yes &
+	vel constant 1 0 0 omega constant 0 0 20 particles_in_region 1 region r
+fix ms all multisphere
+compute x all multisphere/single id 1 property xcm
+compute v all multisphere/single id 1 property vcm
+compute w all multisphere/single id 1 property omega
+compute l all multisphere/single id 1 property angmom
+compute i all multisphere/single id 1 property inertia
+compute m all multisphere/single id 1 property masstotal
+compute com all com
+compute gyration all gyration
+run 1
+END
+
+agree 'sums over a group that is a clump are those of the clump' '
+include in.clump
+variable x equal $(xcm(all,x):%.17g)
+run 700
+print "is x $(xcm(all,x):%.17g) $(c_x[1]:%.17g)"
+print "is flight $(xcm(all,x)-v_x:%.17g) 0.07 1"
+print "is com $(c_com[2]:%.17g) $(c_x[2]:%.17g)"
+print "is vx $(vcm(all,x):%.17g) 1"
+print "is vy $(vcm(all,y):%.17g) 0 1"
+print "is l $(angmom(all,z):%.17g) $(c_l[3]:%.17g)"
+print "is spin $(omega(all,z):%.17g) $(c_w[3]:%.17g)"
+print "is trace $(inertia(all,xx)+inertia(all,yy)+inertia(all,zz):%.17g) $(c_i[1]+c_i[2]+c_i[3]:%.17g)"
+print "is gyration $(c_gyration:%.17g) $(sqrt((c_i[1]+c_i[2]+c_i[3])/2/c_m):%.17g)"
+print "is gyration $(gyration(all):%.17g) $(c_gyration:%.17g)"'
+
+# After `velocity` a clump has the velocity of its spheres, at once; what is zeroed is that of the clump.
+agree 'velocity set makes a clump rest' '
+include in.clump
+velocity all set 0 0 0
+print "is at_once $(vcm(all,x):%.17g) 0 1"
+run 100
+print "is vx $(c_v[1]:%.17g) 0 1"
+print "is vy $(c_v[2]:%.17g) 0 1"'
+agree 'velocity zero linear stops a clump, which rotates as before' '
+include in.clump
+run 300
+variable l equal $(c_l[3]:%.17g)
+velocity all zero linear
+print "is at_once $(vcm(all,x):%.17g) 0 1"
+run 100
+print "is vx $(c_v[1]:%.17g) 0 1"
+print "is vy $(c_v[2]:%.17g) 0 1"
+print "is l $(c_l[3]:%.17g) ${l}"'
+agree 'velocity zero angular stops its rotation' '
+include in.clump
+velocity all zero angular
+run 100
+print "is vx $(c_v[1]:%.17g) 1"
+print "is omega $(c_w[3]:%.17g) 0 20"
+print "is l $(angmom(all,z):%.17g) 0 20"'
+ball='create_atoms 1 single 0.7 0.1 0.8\
+set atom 1 diameter 0.2 density 2500\
+group ball id 1\
+fix n ball nve/sphere'
+agree 'two clumps with a ball: no momentum is left, nor angular momentum' "$(
+	sed "s/particles_in_region 1 /particles_in_region 2 /; s|^fix ms|$ball\\n&|" in.clump)
+velocity all set 1 0 NULL
+velocity ball set -3 1 5
+velocity all zero linear
+velocity all zero angular
+run 20
+print \"is count \$(count(all)) 7\"
+print \"is p \$(vcm(all,x)+vcm(all,y)+vcm(all,z):%.17g) 0 1\"
+print \"is l \$(angmom(all,x):%.17g) 0 50\"
+print \"is l \$(angmom(all,y):%.17g) 0 50\"
+print \"is l \$(angmom(all,z):%.17g) 0 50\"
+variable moves equal \$(vz[1])>1
+print \"is moves \${moves} 1\""
+
+# The force of a spring on a group acts at its centre of mass.
+agree 'a spring does not turn a clump' '
+include in.clump
+fix pull all spring tether 300 0.5 0.3 0.1 0
+variable l equal $(c_l[3]:%.17g)
+run 200
+print "is l $(c_l[3]:%.17g) ${l}"
+variable pulled equal abs(c_v[2])>1e-3
+print "is pulled ${pulled} 1"'
 finish
