@@ -165,7 +165,7 @@ film=film # needs HDF5 and ffmpeg
 hypre=hypre # needs hypre
 "$TSIM" -check -in in.hypre -var out x 2>&1 | grep 'built without hypre' && hypre=
 # Of three scenes that follow each other the one that takes the longest time runs on 3 ranks, the shortest one on 7.
-same_scenes 2x2 averages drum halves waves mill sieve voxels squeezed sorted tracers receding forces stream forces_hertz flat oil jet wafer fluid floating automaton submerged eddies sluice shut cg direct multigrid sor slabs slabs_told slabs_out slabs_cg slabs_columns slabs_change fluid_ab2 slabs_implicit slabs_ab2 duct_implicit slabs_grids slabs_backward current current_kernel current_whole current_apart rock insertion pour beams springs harmonic glue cement brief fibres bit turning stretched rigid bodies clumps surface_heat heat_exact heat sticky yielding warm host gap nozzle multicontact bridges legacy seam $film sheared crowd $hypre
+same_scenes 2x2 averages drum stones halves waves mill sieve voxels squeezed sorted tracers receding forces stream forces_hertz flat oil jet wafer fluid floating automaton submerged eddies sluice shut cg direct multigrid sor slabs slabs_told slabs_out slabs_cg slabs_columns slabs_change fluid_ab2 slabs_implicit slabs_ab2 duct_implicit slabs_grids slabs_backward current current_kernel current_whole current_apart rock insertion pour beams springs harmonic glue cement brief fibres bit turning stretched rigid bodies clumps surface_heat heat_exact heat sticky yielding warm host gap nozzle multicontact bridges legacy seam $film sheared crowd $hypre
 # The solver of hypre divided among ranks: results to its tolerance.
 for n in ${hypre:+1 $(numbers_of 2 0)}; do
 	n=${n%x2}

@@ -367,4 +367,69 @@ run 200
 print "is l $(c_l[3]:%.17g) ${l}"
 variable pulled equal abs(c_v[2])>1e-3
 print "is pulled ${pulled} 1"'
+
+# Bodies follow fixes that change the motion, or the place, of particles: a pair and a ball that meets it.
+cat >in.pair <<'END'
+units si
+boundary p p p
+newton off
+region b block -1 1 -1 1 -1 1 units box
+create_box 1 b
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.4
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 2e-5
+create_atoms 1 single 0.0 0 0
+create_atoms 1 single 0.15 0 0
+create_atoms 1 single 0.15 0.12 0.01
+set group all diameter 0.1 density 2500
+group pair id 1 2
+group ball id 3
+velocity all set 0.3 0 0
+set atom 3 vy -1
+fix r pair rigid single
+fix i ball nve/sphere
+END
+# seen PREFIX: places relative to particle 1, rotation and energy at the end
+seen() {
+	printf 'print "%s $(xu[3]-xu[1]:%%.9f) $(yu[3]-yu[1]:%%.9f) $(xu[2]-xu[1]:%%.9f) $(yu[2]-yu[1]:%%.9f) $(omegaz[1]:%%.8f) $(ke-v_drift:%%.8f)"\n' "$1"
+}
+{ cat in.pair; echo 'variable drift equal 0
+run 3000'; seen alone; } >in.alone
+"$TSIM" -in in.alone -log none >out 2>&1
+set -- $(grep '^alone ' out)
+shift
+[ $# = 6 ] && [ "${5%.*}" -lt -2 ]
+report 'the ball turns the pair' $? out
+prints "$(cat in.pair)
+fix c ball recenter 0.05 NULL 0 shift all
+fix d all recenter 0.05 0.02 0
+variable drift equal 0
+run 3000
+$(seen moved)
+print \"centre \$(xcm(all,x):%.9f) \$(xcm(all,y):%.9f) body \$(abs(f_r[1][1]-(x[1]+x[2])/2):%.9f)\"" "moved $*" 'centre 0.050000000 0.020000000 body 0.000000000'
+prints "$(cat in.pair)
+fix still all momentum 5 linear 1 1 1
+variable m equal mass(all)
+variable drift equal -v_m/2*(0.3^2+(1/3)^2)
+run 3000
+$(seen still)
+print \"momentum \$(abs(vcm(all,x)+vcm(all,y)):%.12f)\"" "still $*" 'momentum 0.000000000000'
+agree 'momentum and angular momentum of bodies are removed' '
+include in.pair
+velocity pair ramp vz -1 2 x 0 0.15
+fix still all momentum 5 linear 1 1 0 angular
+run 20
+print "is vx $(vcm(all,x):%.17g) 0 1"
+print "is vz $(vcm(all,z):%.17g) $((0.5*2)/3)"
+print "is l $(angmom(all,x):%.17g) 0 1"
+print "is l $(angmom(all,z):%.17g) 0 1"
+print "is body $(f_r[1][4]:%.17g) $((vx[1]+vx[2])/2:%.17g) 1"'
+rejects "$(cat in.pair)
+group some id 2 3
+fix still some momentum 5 linear 1 1 1
+run 1" 'fix momentum: the rigid body of particle 1 has 1 of its 2 members in group some'
 finish
