@@ -26,14 +26,28 @@ struct state {
 	int64_t gone; /* saved: particles deleted since the beginning */
 };
 
+static enum ts_status refuse_member(struct ts_instance *self, struct tsim *sim, size_t i)
+{
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix evaporate: particle %d belongs to a rigid body, which cannot lose particles; "
+		       "restrict the group to free particles",
+		       sim->particles->tag[i]);
+}
+
+/* Members of bodies that are known before the run are refused then, and not only in the step that draws one of them. */
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
 
-	if (!s->molecule)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix evaporate: there are no molecules, molecule yes has no meaning");
+	if (s->molecule)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix evaporate: there are no molecules, molecule yes has no meaning");
+	TS_TRY(ts_region_update(s->region, sim));
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_rigid_member(p, i) && ts_chosen(p, i, self->group, s->region))
+			return refuse_member(self, sim, i);
+	return TS_OK;
 }
 
 static int compare_draws(const void *a, const void *b)
@@ -70,10 +84,7 @@ static enum ts_status choose_particles(struct ts_instance *self, struct tsim *si
 		*n = (size_t)s->number;
 	for (size_t k = 0; k < *n; k++)
 		if (ts_rigid_member(p, s->draw[k].row))
-			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix evaporate: particle %d belongs to a rigid body, which cannot "
-				       "lose particles; restrict the group to free particles",
-				       p->tag[s->draw[k].row]);
+			return refuse_member(self, sim, s->draw[k].row);
 	return TS_OK;
 }
 

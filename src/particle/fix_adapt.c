@@ -9,6 +9,7 @@
 #include "particle/first_size.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
+#include "rigid/rigid_change.h"
 
 #include "base/banned.h"
 
@@ -188,12 +189,22 @@ static enum ts_status init_changes(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static bool changes_particles(const struct state *s)
+{
+	for (size_t k = 0; k < s->n; k++)
+		if (s->change[k].what != PAIR)
+			return true;
+	return false;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
 	if (!s->n)
 		TS_TRY(init_changes(self, sim));
+	if (changes_particles(s))
+		TS_TRY(ts_rigid_refuse_resizing(sim, self->group, "fix adapt", &self->where));
 	if (!s->applied)
 		s->epoch++;
 	return store_first_coefficients(self, sim);
@@ -226,6 +237,7 @@ static enum ts_status apply_particle_change(struct ts_instance *self, struct tsi
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
+	TS_TRY(ts_rigid_refuse_resizing(sim, self->group, "fix adapt", &self->where));
 	TS_TRY(ts_number_or_peratom_now(sim, &c->value, &self->where, &s->now));
 	for (size_t i = 0; i < p->n; i++) {
 		double value = ts_number_or_peratom_of(&s->now, i);
@@ -422,7 +434,8 @@ const struct ts_style ts_fix_adapt = {
 	       "a number of `pair_coeff` for all pairs of the types I and J.\n\n"
 	       "With `scale yes` a variable is a factor of the value at the time when the fix was defined, "
 	       "however many runs there have been since. With `mass no` a change of the diameter keeps the "
-	       "mass.\n\n"
+	       "mass. Members of rigid bodies, whose mass and inertia would not follow, are an error, except for "
+	       "changes of pair_coeff.\n\n"
 	       "The stability limit of the time step is checked only at the start of a run.",
 	.example = "variable size equal ramp(0.01,0.012)\n"
 		   "fix grow beads adapt 10 atom diameter v_size\n"

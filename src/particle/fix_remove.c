@@ -58,6 +58,28 @@ static enum ts_status find_variable(struct ts_instance *self, struct tsim *sim)
 			  "fix remove: unknown variable '%s'%s", s->rate_variable, ts_suggest_text(&suggest));
 }
 
+static bool is_candidate(const struct ts_instance *self, const struct ts_particles *p, size_t i)
+{
+	const struct state *s = self->state;
+
+	return ts_chosen(p, i, self->group, s->region) && (s->type <= 0 || p->type[i] == s->type);
+}
+
+/* Updates the region, too. */
+static enum ts_status refuse_members(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_region_update(((struct state *)self->state)->region, sim));
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_rigid_member(p, i) && is_candidate(self, p, i))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix remove: particle %d belongs to a rigid body, which cannot lose "
+				       "mass; give the fix a group without such particles",
+				       p->tag[i]);
+	return TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -83,7 +105,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->begun)
 		s->since = ts_sim_time(sim);
 	s->begun = true;
-	return TS_OK;
+	return refuse_members(self, sim);
 }
 
 /* ---- candidates ---- */
@@ -103,7 +125,7 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
-	TS_TRY(ts_region_update(s->region, sim));
+	TS_TRY(refuse_members(self, sim));
 	if (TS_GROW(s->candidate, s->capacity, p->n) != TS_OK ||
 	    TS_GROW(s->deleted, s->deleted_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -112,13 +134,8 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
 
 		s->deleted[i] = 0;
-		if (!ts_chosen(p, i, self->group, s->region) || (s->type > 0 && p->type[i] != s->type))
+		if (!is_candidate(self, p, i))
 			continue;
-		if (ts_rigid_member(p, i))
-			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix remove: particle %d belongs to a rigid body, which cannot lose "
-				       "mass; give the fix a group without such particles",
-				       p->tag[i]);
 		rng.counter = (uint64_t)sim->clock.step;
 		s->candidate[s->n++] = (struct candidate){ ts_rng_uniform(&rng), p->tag[i], i };
 	}
@@ -332,7 +349,8 @@ const struct ts_style ts_fix_remove = {
 	       "f_ID[1] is the mass removed, f_ID[2] the number of particles deleted, f_ID[3] the mass still "
 	       "due (negative if too much was removed). Random numbers are functions of seed, step and atom "
 	       "ID: results do not depend on the number of threads and are the same after a restart.\n\n"
-	       "Particles of rigid bodies are an error. The fix exists in another edition of LIGGGHTS (PFM), "
+	       "Particles of rigid bodies among them are an error, before a run if they are known then. The "
+	       "fix exists in another edition of LIGGGHTS (PFM), "
 	       "which chooses other particles.",
 	.example =
 		"fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole atomtype 1\n"

@@ -7,7 +7,7 @@
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "region/region.h"
-#include "rigid/rigid.h"
+#include "rigid/rigid_change.h"
 
 #include "base/banned.h"
 
@@ -79,17 +79,10 @@ static enum ts_status scale_diameters(struct ts_instance *self, struct tsim *sim
 			       "fix scale/diameter: the factor v_%s is %g, expected a number > 0",
 			       s->scale.variable, scale);
 	TS_TRY(ts_region_update(s->region, sim));
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		if (ts_rigid_member(p, i))
-			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix scale/diameter: particle %d belongs to a rigid body, whose mass "
-				       "and inertia would not follow; give the fix a group without such "
-				       "particles",
-				       p->tag[i]);
-		set_size(s, sim, i, diameter_factor(s, p->x[i], scale));
-	}
+	TS_TRY(ts_rigid_refuse_resizing(sim, self->group, "fix scale/diameter", &self->where));
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			set_size(s, sim, i, diameter_factor(s, p->x[i], scale));
 	s->applied = 1;
 	return TS_OK;
 }

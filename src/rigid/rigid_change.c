@@ -40,6 +40,21 @@ enum ts_status ts_rigid_require_whole(struct tsim *sim, int group, const char *w
 	return TS_OK;
 }
 
+enum ts_status ts_rigid_refuse_resizing(struct tsim *sim, int group, const char *who,
+					const struct ts_place *where)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; p->body && i < p->n; i++)
+		if (ts_in_group(p, i, group) && ts_rigid_member(p, i))
+			return ts_fail(&sim->error, TS_STATE, where,
+				       "%s: particle %d belongs to a rigid body, whose mass and inertia "
+				       "would "
+				       "not follow; give the fix a group without such particles",
+				       who, p->tag[i]);
+	return TS_OK;
+}
+
 /* Velocities of the members from those of the body. */
 static void set_member_velocities(struct tsim *sim, size_t b)
 {

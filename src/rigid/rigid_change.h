@@ -1,4 +1,4 @@
-/* Changes of the motion and the place of bodies in a step, by fixes that change those of particles; members follow. */
+/* Changes of bodies by fixes that change particles: motion and place, which members follow; of size and mass, which are refused. */
 #ifndef TS_RIGID_RIGID_CHANGE_H
 #define TS_RIGID_RIGID_CHANGE_H
 
@@ -12,6 +12,11 @@ struct ts_rigid_motion {
 /* Fails if a body has some, but not all of its members in the group. `who`: whose group it is, for the message. */
 enum ts_status ts_rigid_require_whole(struct tsim *sim, int group, const char *who,
 				      const struct ts_place *where);
+
+/* Fails if the group has members of bodies, whose mass and moments of inertia would not follow other sizes and masses of
+ * their particles. */
+enum ts_status ts_rigid_refuse_resizing(struct tsim *sim, int group, const char *who,
+					const struct ts_place *where);
 
 /* Subtracts a motion from that of the bodies with all members in the group, or of the clumps among them, but not in
  * directions in which a body is held. */

@@ -432,4 +432,26 @@ rejects "$(cat in.pair)
 group some id 2 3
 fix still some momentum 5 linear 1 1 1
 run 1" 'fix momentum: the rigid body of particle 1 has 1 of its 2 members in group some'
+
+# What takes particles from bodies, or changes their size or mass, is refused before the run, and by -check.
+lose='belongs to a rigid body, which cannot lose'
+follow='belongs to a rigid body, whose mass and inertia would not follow'
+for fix in "evaporate 100 1 all 49892/$lose particles" "remove nevery 100 massrate 1 style delete seed 4999/$lose mass" \
+	"adapt 10 atom diameter v_size/$follow" "adapt 10 atom mass v_size/$follow" "scale/diameter 10 region all scale 0.5/$follow"; do
+	rejects "$(cat in.pair)
+region all sphere 0 0 0 5 units box
+variable size equal 0.1
+fix out all ${fix%/*}
+run 1" "${fix##*/}"
+	case $fix in scale*) continue ;; esac
+	refused "-check: ${fix%% *}" "${fix##*/}" -check -in in.script
+done
+prints "$(cat in.pair)
+region all block INF INF INF INF INF INF
+variable size equal 0.1
+variable soft equal 2e6
+fix size ball adapt 10 atom diameter v_size
+fix out ball evaporate 100 1 all 49892
+run 100
+print \"\$(count(all)) left\"" '2 left'
 finish
