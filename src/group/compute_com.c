@@ -31,8 +31,7 @@ const struct ts_style ts_compute_com = {
 	.summary = "Center of mass",
 	.doc = "c_ID[1], c_ID[2] and c_ID[3] are the components of sum(m x)/sum(m) over the group, where x "
 	       "are unwrapped positions; a clump (fix multisphere) counts at its centre of mass. They are 0 "
-	       "for "
-	       "an empty group.",
+	       "for an empty group.",
 	.example = "compute center all com",
 	.values = values,
 };

@@ -68,8 +68,7 @@ const struct ts_style ts_compute_gyration = {
 	       "The vector is the gyration tensor with the components xx, yy, zz, xy, xz, yz:\n\n"
 	       "    G_ab = sum m (x_a - c_a) (x_b - c_b) / sum m\n\n"
 	       "Particles are points, as in LAMMPS; a clump (fix multisphere) counts with the distribution "
-	       "of "
-	       "its mass. All are 0 for an empty group.",
+	       "of its mass. All are 0 for an empty group.",
 	.example = "compute size clump gyration",
 	.values = values,
 };

@@ -138,9 +138,8 @@ const struct ts_style ts_fix_momentum = {
 	       "(angular), where omega follows from the angular momentum L = I omega of the group. The "
 	       "angular velocities of the particles themselves do not change.\n\n"
 	       "Rigid bodies get the same change of the velocity of their centre of mass, and are turned by "
-	       "omega "
-	       "less (angular), but not in directions in which they are held. A body that has some of its "
-	       "members in the group only is refused. Spheres of clumps count as described for fix "
+	       "omega less (angular), but not in directions in which they are held. A body that has some of "
+	       "its members in the group only is refused. Spheres of clumps count as described for fix "
 	       "multisphere.",
 	.example = "fix still all momentum 100 linear 1 1 0 angular",
 	.args = args,

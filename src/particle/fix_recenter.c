@@ -130,8 +130,7 @@ const struct ts_style ts_fix_recenter = {
 	.doc = "In each step, after positions have been integrated, the particles of the shifted group are "
 	       "moved together so that the centre of mass of the fix's group (unwrapped positions) is at the "
 	       "given coordinates. Velocities do not change. Rigid bodies with a member in the shifted group "
-	       "are "
-	       "moved as a whole. Define the fix after the fixes that integrate.",
+	       "are moved as a whole. Define the fix after the fixes that integrate.",
 	.example = "fix still ball recenter INIT INIT NULL shift all",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -350,8 +350,7 @@ const struct ts_style ts_fix_remove = {
 	       "due (negative if too much was removed). Random numbers are functions of seed, step and atom "
 	       "ID: results do not depend on the number of threads and are the same after a restart.\n\n"
 	       "Particles of rigid bodies among them are an error, before a run if they are known then. The "
-	       "fix exists in another edition of LIGGGHTS (PFM), "
-	       "which chooses other particles.",
+	       "fix exists in another edition of LIGGGHTS (PFM), which chooses other particles.",
 	.example =
 		"fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole atomtype 1\n"
 		"fix burn all remove nevery 500 massrate v_rate style shrink delete_below 0.001 seed 7543",

@@ -47,16 +47,13 @@ const struct ts_style ts_fix_multisphere = {
 	       "overlapping spheres. A clump of which a sphere is lost through a fixed face is deleted. The "
 	       "group has no effect.\n\n"
 	       "In sums over a group (xcm(), vcm(), angmom(), inertia(), compute com, gyration, fix "
-	       "momentum, fix "
-	       "spring, `velocity zero`) a clump is a body with its centre of mass and its moments of "
-	       "inertia, and "
-	       "each of its spheres counts for the share of the mass of the clump that it has.\n\n"
+	       "momentum, fix spring, `velocity zero`) a clump is a body with its centre of mass and its "
+	       "moments of inertia, and each of its spheres counts for the share of the mass of the clump "
+	       "that it has.\n\n"
 	       "Clumps follow `velocity`, `set` and displace_atoms as described for fix rigid; "
 	       "displace_atoms can move the spheres of a clump together only. A clump takes the velocity "
-	       "that "
-	       "its centre of mass has in the motion of the centres of its spheres, from `velocity` at once "
-	       "if "
-	       "all its spheres are in the group.\n\n"
+	       "that its centre of mass has in the motion of the centres of its spheres, from `velocity` at "
+	       "once if all its spheres are in the group.\n\n"
 	       "The spheres must not be integrated by another fix such as nve/sphere.",
 	.example = "fix clumps all multisphere",
 	.args = args,

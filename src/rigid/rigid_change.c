@@ -49,8 +49,7 @@ enum ts_status ts_rigid_refuse_resizing(struct tsim *sim, int group, const char 
 		if (ts_in_group(p, i, group) && ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "%s: particle %d belongs to a rigid body, whose mass and inertia "
-				       "would "
-				       "not follow; give the fix a group without such particles",
+				       "would not follow; give the fix a group without such particles",
 				       who, p->tag[i]);
 	return TS_OK;
 }
