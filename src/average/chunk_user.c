@@ -20,16 +20,35 @@ void ts_chunk_user_fini(struct ts_instance *self)
 	ts_table_release(&((struct ts_chunk_user *)self->state)->centre);
 }
 
-enum ts_status ts_chunk_user_hold(struct tsim *sim, const struct ts_ref_input *input, int64_t until)
+/* The chunks of the input; NULL: it has none. */
+static enum ts_status find_chunks(struct tsim *sim, const struct ts_ref_input *input,
+				  struct ts_chunks **chunks)
 {
 	const struct ts_instance *inst = input->quantity ? NULL : input->ref.inst;
 	struct ts_instance *owner;
-	struct ts_chunks *chunks;
 
+	*chunks = NULL;
 	if (!inst || !inst->style->family || !ts_streq(inst->style->family, TS_FAMILY_CHUNK_USER))
 		return TS_OK;
-	TS_TRY(ts_chunks_find(sim, inst, ((const struct ts_chunk_user *)inst->state)->id, &owner, &chunks));
-	ts_chunks_hold(chunks, until);
+	return ts_chunks_find(sim, inst, ((const struct ts_chunk_user *)inst->state)->id, &owner, chunks);
+}
+
+enum ts_status ts_chunk_user_hold(struct tsim *sim, const struct ts_ref_input *input, int64_t until)
+{
+	struct ts_chunks *chunks;
+
+	TS_TRY(find_chunks(sim, input, &chunks));
+	if (chunks)
+		ts_chunks_hold(chunks, until);
+	return TS_OK;
+}
+
+enum ts_status ts_chunk_user_keeps(struct tsim *sim, const struct ts_ref_input *input, bool *keeps)
+{
+	struct ts_chunks *chunks;
+
+	TS_TRY(find_chunks(sim, input, &chunks));
+	*keeps = chunks && (chunks->number == TS_NUMBER_ONCE || chunks->ids == TS_CHUNK_IDS_ONCE);
 	return TS_OK;
 }
 

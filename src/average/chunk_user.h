@@ -34,4 +34,8 @@ enum ts_status ts_chunk_moments(const struct ts_instance *self, size_t width, ts
 /* Vector from the centre of mass of the chunk to particle i, unwrapped; for a `term` of ts_chunk_moments. */
 void ts_chunk_arm(const struct tsim *sim, size_t i, size_t chunk, const void *context, double d[3]);
 
+/* *keeps: whether an evaluation of this input determines its chunks, or which particles they have, for good (`nchunk once`,
+ * `ids once`). */
+enum ts_status ts_chunk_user_keeps(struct tsim *sim, const struct ts_ref_input *input, bool *keeps);
+
 #endif

@@ -20,6 +20,7 @@ struct state {
 	struct ts_ref_list input;
 	bool *as_it_is; /* [value] true: not averaged (keyword `off`) */
 	struct ts_table vector;
+	bool unmeasured; /* no style has told the number of rows, and there was no set-up to find it */
 	int64_t rows; /* elements of each value, 1 for scalars; written to restart files. Element i of value k
 		       * is number k * rows + i of the average */
 };
@@ -43,17 +44,16 @@ static enum ts_status read_off(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Elements of each vector, as far as its style tells before it is evaluated; until the first sample they are 0. */
+/* Elements of each vector, if its style tells before it is evaluated; 0: it does not. */
 static int64_t rows_told(const struct state *s, const struct tsim *sim)
 {
 	const struct ts_ref *first = &s->input.item[0].ref;
 	const struct ts_value *vector =
 		first->inst && !first->index ? ts_value_find(first->inst, TS_VECTOR) : NULL;
-	const size_t width = vector	   ? ts_value_width(first->inst, vector)
-			     : first->inst ? 0
-					   : ts_ref_standard_elements(sim, first->name);
 
-	return s->mode == VECTOR && width ? (int64_t)width : 1;
+	if (first->inst)
+		return vector ? (int64_t)ts_value_width(first->inst, vector) : 0;
+	return (int64_t)ts_ref_standard_elements(sim, first->name);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -70,7 +70,39 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(read_off(self, sim));
 	if (!first)
 		return TS_OK;
-	s->rows = rows_told(s, sim);
+	s->rows = s->mode == VECTOR ? rows_told(s, sim) : 1;
+	s->unmeasured = s->rows == 0;
+	s->rows = s->rows ? s->rows : 1;
+	return ts_average_resize(self, sim, &s->average, s->input.n * (size_t)s->rows);
+}
+
+/* Whether an input would determine its chunks for good, which the first sample has to do. */
+static enum ts_status any_keeps_chunks(const struct state *s, struct tsim *sim, bool *keeps)
+{
+	*keeps = false;
+	for (size_t k = 0; k < s->input.n && !*keeps; k++)
+		TS_TRY(ts_chunk_user_keeps(sim, &s->input.item[k], keeps));
+	return TS_OK;
+}
+
+/* Vectors whose style does not tell their length are evaluated once for it: outputs before the first sample read their elements.
+ * Where that is not possible yet, the first sample tells. */
+static enum ts_status measure_rows(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	bool keeps;
+
+	if (!s->unmeasured)
+		return TS_OK;
+	s->unmeasured = false;
+	TS_TRY(any_keeps_chunks(s, sim, &keeps));
+	if (keeps || s->average.samples || s->average.averages) /* the latter of a restart file */
+		return TS_OK;
+	if (ts_ref_list_table(sim, &s->input, &s->vector) != TS_OK) {
+		ts_error_clear(&sim->error); /* told by the first sample */
+		return TS_OK;
+	}
+	s->rows = s->vector.rows ? (int64_t)s->vector.rows : 1;
 	return ts_average_resize(self, sim, &s->average, s->input.n * (size_t)s->rows);
 }
 
@@ -223,6 +255,17 @@ static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 	return write_result(self, sim);
 }
 
+static enum ts_status set_up(struct ts_instance *self, struct tsim *sim)
+{
+	TS_TRY(measure_rows(self, sim));
+	return sample(self, sim);
+}
+
+static bool due(const struct ts_instance *self, const struct tsim *sim)
+{
+	return ((const struct state *)self->state)->unmeasured || ts_average_waits(self, sim);
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
@@ -351,7 +394,7 @@ const struct ts_style ts_fix_ave_time = {
 	.name = "ave/time",
 	.kind = TS_KIND_FIX,
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
-	.due = ts_average_waits,
+	.due = due,
 	.summary = "Time averages of global values",
 	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, the last at that step: with 2 6 100 the samples of steps 90, 92, 94, 96, 98, 100. f_ID[k] is the average of value k, f_ID that of the first; with `mode vector` f_ID[i] is element i of the first vector, f_ID[i][k] that of the k-th. Averages are 0 before the first one is complete. A value that is `off` is that of the last sample. Averages in progress are saved in restart files.",
 	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
@@ -365,7 +408,7 @@ const struct ts_style ts_fix_ave_time = {
 	.init = init,
 	.plan = plan,
 	.hook = {
-		[TS_STAGE_SETUP] = sample,
+		[TS_STAGE_SETUP] = set_up,
 		[TS_STAGE_END_OF_STEP] = sample,
 	},
 	.fini = fini,

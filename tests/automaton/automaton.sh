@@ -88,6 +88,15 @@ automaton_style none
 run 3
 print done" done
 
+# averages of rows are read before the first sample
+prints "$(scene)
+compute p all automaton/profile
+fix a all ave/time 1 10 10 c_p[*] mode vector
+thermo_style custom step f_a[8][1]
+run 5
+print \"row \$(c_p[8][1]) \$(f_a[8][1])\"
+run 5
+print \"row \$(f_a[8][1])\"" 'row 0.75 0' 'row 0.75'
 # half the time step: velocities are the same at once
 prints "$(scene)
 compute p all automaton/profile

@@ -317,6 +317,43 @@ grep -v 'data for' star.txt >star
 [ "$(awk 'NF == 4 && $3 > 0 && $1 > 0' all | wc -l)" -gt 4 ]
 report 'rows of all columns' $? all
 same 'all columns of an array' star all
+# Before the first sample the elements of columns are 0, whether the style tells their number or not. The radii are 0.5 and 6.5 of
+# seven parts of the cutoff, 0.05.
+sed -e '/^fix a/,$d' in.script >in.rows
+cat >>in.rows <<'END'
+fix a all ave/time 1 2 2 c_r mode vector
+fix b all ave/time 1 2 2 c_r[1] mode vector
+compute c all chunk/atom bin/1d z lower 0.25 units box
+compute n all property/chunk c count
+fix c all ave/time 1 2 2 c_n mode vector
+compute k all chunk/atom type nchunk once
+compute m all property/chunk k count
+fix d all ave/time 1 2 2 c_m mode vector
+thermo 2
+thermo_style custom step f_a[7][1] f_a[1][1] f_b[7] f_b[1] f_c[4] f_d[1]
+run 2
+END
+"$TSIM" -in in.rows -log none >out 2>&1
+report 'rows before the first sample' $? out
+[ "$(awk '$1 ~ /^[02]$/ && NF == 7 { print $2, $3, $4, $5, ($1 ? $6 > 150 : $6), $7 }' out | tr '\n' ' ')" = \
+	'0 0 0 0 0 0 0.046428571 0.0035714286 0.046428571 0.0035714286 1 900 ' ]
+report 'values before the first sample' $? out
+# a vector whose elements are not there at the set-up
+cat >in.later <<'END'
+units si
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+timestep 1
+fix v all vector 1 step
+compute s all slice 2 3 1 f_v
+fix a all ave/time 1 1 4 c_s mode vector start 1
+run 4
+print "later $(f_a[1]) $(f_a[2])"
+END
+"$TSIM" -in in.later -log none >out 2>&1
+report 'elements that come later' $? out
+grep -q '^later 1 2$' out
+report 'values that come later' $? out
 # Faces of style s follow the particles only when lists are built: what is below them is in the lowest bin, with any skin.
 for skin in 0.03 0.002; do
 	cat >in.shrink <<END
