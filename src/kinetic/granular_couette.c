@@ -10,15 +10,23 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_couette_room(struct ts_couette *c, int n)
+static enum ts_status make_room(struct ts_couette *c, int n)
 {
 	size_t nodes = (size_t)n + 1;
 
+	TS_TRY(TS_GROW(c->parts, c->parts_capacity, nodes));
 	TS_TRY(TS_GROW(c->node, c->capacity, nodes));
 	TS_TRY(TS_GROW(c->rate, c->rate_capacity, nodes));
 	TS_TRY(TS_GROW(c->step, c->step_capacity, 4 * nodes));
-	TS_TRY(TS_GROW(c->matrix, c->matrix_capacity, ts_band_length(4 * nodes, 5, 5)));
-	c->n = n;
+	return TS_GROW(c->matrix, c->matrix_capacity, ts_band_length(4 * nodes, 5, 5));
+}
+
+enum ts_status ts_couette_room(struct ts_couette *c, int n)
+{
+	TS_TRY(make_room(c, n));
+	for (int i = 0; i < n; i++)
+		c->parts[i] = n;
+	c->n = c->equal = n;
 	return TS_OK;
 }
 
@@ -28,11 +36,12 @@ void ts_couette_release(struct ts_couette *c)
 	ts_free(c->rate);
 	ts_free(c->step);
 	ts_free(c->matrix);
+	ts_free(c->parts);
 	c->node = NULL;
 	c->rate = NULL;
-	c->step = c->matrix = NULL;
-	c->capacity = c->rate_capacity = c->step_capacity = c->matrix_capacity = 0;
-	c->n = 0;
+	c->step = c->matrix = c->parts = NULL;
+	c->capacity = c->rate_capacity = c->step_capacity = c->matrix_capacity = c->parts_capacity = 0;
+	c->n = c->equal = 0;
 }
 
 /* ---- starting values */
@@ -113,24 +122,73 @@ enum ts_status ts_couette_solve_mesh(struct ts_couette *c, int intervals, bool w
 
 enum { MOST_INTERVALS = 1 << 16 };
 
-/* Twice as many intervals, by Hermite's cubics. */
-static enum ts_status refine(struct ts_couette *c)
+/* Halves the intervals that are chosen, by Hermite's cubics. */
+static enum ts_status halve(struct ts_couette *c, const bool *chosen)
 {
-	int n = c->n;
-	double width = c->gap / n;
+	int n = c->n, to = n;
 
-	TS_TRY(ts_couette_room(c, 2 * n));
+	for (int i = 0; i < n; i++)
+		to += chosen[i];
+	TS_TRY(make_room(c, to));
+	c->n = to;
 	for (int i = 0; i <= n; i++)
 		ts_couette_rate(c, c->node[i], &c->rate[i]);
 	for (int i = n; i > 0; i--) {
-		double high[4];
+		double high[4], parts = c->parts[i - 1];
 
 		memcpy(high, c->node[i], sizeof high);
-		ts_couette_middle(width, c->node[i - 1], c->rate[i - 1].f, high, c->rate[i].f,
-				  c->node[2 * i - 1]);
-		memcpy(c->node[2 * i], high, sizeof high);
+		memcpy(c->node[to], high, sizeof high);
+		c->parts[to - 1] = parts;
+		to--;
+		if (!chosen[i - 1])
+			continue;
+		ts_couette_middle(c->gap / parts, c->node[i - 1], c->rate[i - 1].f, high, c->rate[i].f,
+				  c->node[to]);
+		c->parts[to] = c->parts[to - 1] = 2 * parts;
+		to--;
 	}
 	return TS_OK;
+}
+
+/* Chooses the intervals in which x passes the kink, and those beside it: it is displaced when the finer mesh is solved. */
+static bool choose_kink(const struct ts_couette *c, bool *chosen)
+{
+	enum { BESIDE = 3 };
+	const double kink = ts_couette_kink(c), most = c->equal * 0x1p20; /* sums of widths are exact */
+	bool any = false;
+
+	for (int i = 0; i < c->n; i++)
+		chosen[i] = false;
+	for (int i = 0; i < c->n; i++) {
+		if ((c->node[i][0] > kink) == (c->node[i + 1][0] > kink))
+			continue;
+		any = true;
+		for (int k = i - BESIDE; k <= i + BESIDE; k++)
+			if (k >= 0 && k < c->n)
+				chosen[k] = c->parts[k] < most;
+	}
+	return any;
+}
+
+/* Twice as many intervals, and around a kink shorter ones, whose errors, of first order, then decrease as those of fourth order. */
+static enum ts_status refine(struct ts_couette *c, bool *kink)
+{
+	enum { TIMES = 4 };
+	bool *chosen = ts_alloc((size_t)c->n << TIMES, sizeof *chosen);
+	enum ts_status status = chosen ? TS_OK : TS_NOMEM;
+
+	for (int i = 0; i < c->n && chosen; i++)
+		chosen[i] = true;
+	if (status == TS_OK)
+		status = halve(c, chosen);
+	c->equal *= 2;
+	*kink = false;
+	for (int k = 0; k < TIMES && status == TS_OK && choose_kink(c, chosen); k++) {
+		*kink = true;
+		status = halve(c, chosen);
+	}
+	ts_free(chosen);
+	return status;
 }
 
 static double change(double a, double b)
@@ -138,8 +196,9 @@ static double change(double a, double b)
 	return fabs(a - b) / fmax(fabs(a), 1e-300);
 }
 
-/* Relative error of the finer of two solutions, of fourth order. */
-static double error_of(const struct ts_couette_figures *fine, const struct ts_couette_figures *coarse)
+/* Relative error of the finer of two solutions: of fourth order, but with a kink the place of its interval matters, too. */
+static double error_of(const struct ts_couette_figures *fine, const struct ts_couette_figures *coarse,
+		       bool kink)
 {
 	double most = fmax(change(fine->speed, coarse->speed), change(fine->traction, coarse->traction));
 
@@ -147,7 +206,7 @@ static double error_of(const struct ts_couette_figures *fine, const struct ts_co
 		most = fmax(most, change(fine->slip[k], coarse->slip[k]));
 		most = fmax(most, change(fine->centre[k], coarse->centre[k]));
 	}
-	return most / 15;
+	return kink ? most : most / 15;
 }
 
 int ts_couette_intervals(double gap, int points)
@@ -162,26 +221,27 @@ int ts_couette_intervals(double gap, int points)
 enum ts_status ts_couette_solve(struct ts_couette *c, int intervals, double tolerance)
 {
 	struct ts_couette_figures fine, coarse;
+	bool kink;
 
 	c->iterations = 0;
 	TS_TRY(ts_couette_solve_mesh(c, intervals, false));
 	ts_couette_figures(c, &fine);
 	do {
 		coarse = fine;
-		TS_TRY(refine(c));
+		TS_TRY(refine(c, &kink));
 		TS_TRY(ts_couette_newton(c));
 		ts_couette_figures(c, &fine);
-		c->error = error_of(&fine, &coarse);
+		c->error = error_of(&fine, &coarse, kink);
 	} while (c->error > tolerance && c->n < MOST_INTERVALS);
-	return c->error <= tolerance ? TS_OK : TS_PHYSICS;
+	return c->error <= tolerance ? TS_OK : TS_RANGE;
 }
 
 /* ---- results */
 
 void ts_couette_profile(const struct ts_couette *c, int points, double (*out)[3])
 {
-	int stride = c->n / (points - 1);
-	double width = c->gap / c->n, s = c->node[0][3], u;
+	int stride = c->equal / (points - 1);
+	double s = c->node[0][3], u, place = c->equal; /* in equal intervals */
 	struct ts_couette_rate low, high;
 	struct ts_couette_at at;
 
@@ -194,16 +254,21 @@ void ts_couette_profile(const struct ts_couette *c, int points, double (*out)[3]
 
 		ts_couette_at(c, c->node[i][0], &at);
 		if (i < c->n) {
+			const double width = ts_couette_width(c, i);
+
+			place -= c->equal / c->parts[i];
 			high = low;
 			ts_couette_rate(c, c->node[i], &low);
 			ts_couette_middle(width, c->node[i], low.f, c->node[i + 1], high.f, z);
 			ts_couette_at(c, z[0], &middle);
 			u += width / 6 * s * (at.shear + 4 * middle.shear + before);
 		}
-		if (i % stride == 0) {
-			out[i / stride][0] = at.nu;
-			out[i / stride][1] = u;
-			out[i / stride][2] = at.root_t * at.root_t;
+		if (fmod(place, stride) == 0) {
+			double *row = out[(int)place / stride];
+
+			row[0] = at.nu;
+			row[1] = u;
+			row[2] = at.root_t * at.root_t;
 		}
 	}
 }
@@ -211,14 +276,15 @@ void ts_couette_profile(const struct ts_couette *c, int points, double (*out)[3]
 /* Integrals of the shear rate and of the dissipation over the gap, by the rule of the equations. */
 static void integrate(const struct ts_couette *c, double out[2])
 {
-	double width = c->gap / c->n, s = c->node[0][3];
+	double s = c->node[0][3], below = 0;
 	struct ts_couette_rate low, high;
 	struct ts_couette_at at, middle;
 
 	out[0] = out[1] = 0;
 	ts_couette_rate(c, c->node[0], &high);
 	for (int i = 0; i <= c->n; i++) {
-		double end = i == 0 || i == c->n ? width / 6 : width / 3, z[4];
+		const double width = i < c->n ? ts_couette_width(c, i) : 0;
+		double end = below / 6 + width / 6, z[4];
 
 		ts_couette_at(c, c->node[i][0], &at);
 		out[0] += end * s * at.shear;
@@ -231,20 +297,23 @@ static void integrate(const struct ts_couette *c, double out[2])
 		ts_couette_at(c, z[0], &middle);
 		out[0] += width * 2 / 3 * s * middle.shear;
 		out[1] += width * 2 / 3 * middle.loss;
+		below = width;
 	}
 }
 
 static double centre_x(const struct ts_couette *c)
 {
-	int i = c->n / 2;
 	struct ts_couette_rate low, high;
-	double z[4];
+	double place = 0, z[4]; /* in equal intervals */
+	int i = 0;
 
-	if (c->n % 2 == 0)
+	while (place + c->equal / c->parts[i] <= c->equal / 2.0)
+		place += c->equal / c->parts[i++];
+	if (place == c->equal / 2.0)
 		return c->node[i][0];
 	ts_couette_rate(c, c->node[i], &low);
 	ts_couette_rate(c, c->node[i + 1], &high);
-	ts_couette_middle(c->gap / c->n, c->node[i], low.f, c->node[i + 1], high.f, z);
+	ts_couette_middle(ts_couette_width(c, i), c->node[i], low.f, c->node[i + 1], high.f, z);
 	return z[0];
 }
 

@@ -20,7 +20,8 @@
  *
  * Method: collocation of fourth order (Simpson's rule on Hermite's cubics; R. D. Russell, L. F. Shampine, Numer. Math. 19
  * (1972) 1; J. Kierzenka, L. F. Shampine, ACM TOMS 27 (2001) 299) on equal intervals, Newton's method, and continuation
- * in the gap from a narrow one, where nu is uniform. Balances of energy hold to round-off on each mesh. */
+ * in the gap from a narrow one, where nu is uniform. Where the slope of g0 has a step, nu' has one: the interval around that place
+ * has an error of first order, so it is made shorter than the others. Balances of energy hold to round-off on each mesh. */
 #ifndef TS_KINETIC_GRANULAR_COUETTE_H
 #define TS_KINETIC_GRANULAR_COUETTE_H
 
@@ -41,8 +42,10 @@ struct ts_couette {
 	double gap;
 	double solids; /* mean solid fraction */
 
-	/* the solution on n equal intervals; zero-initialise, release by ts_couette_release */
+	/* the solution on n intervals; zero-initialise, release by ts_couette_release */
 	int n;
+	double *parts;	   /* [n] the gap over the width of each interval */
+	int equal;	   /* number of equal intervals, some of which have been halved, once or more */
 	double (*node)[4]; /* [n + 1]; x = ln(nu/(nu_limit - nu)), q, integral of nu from 0 to y, s */
 	size_t capacity;
 	int iterations; /* of Newton's method, since ts_couette_solve began */
@@ -52,7 +55,7 @@ struct ts_couette {
 	/* internal */
 	struct ts_couette_rate *rate;
 	double *matrix, *step;
-	size_t rate_capacity, matrix_capacity, step_capacity;
+	size_t rate_capacity, matrix_capacity, step_capacity, parts_capacity;
 };
 
 struct ts_couette_figures {
@@ -72,7 +75,7 @@ struct ts_couette_figures {
 int ts_couette_intervals(double gap, int points);
 
 /* Solves on meshes of `intervals` times 1, 2, 4 ... intervals until the error is below `tolerance`. Returns TS_OK,
- * TS_NOMEM, or TS_PHYSICS if no solution was found. */
+ * TS_NOMEM, TS_PHYSICS if no solution was found, or TS_RANGE if the error stays above it: c->error. */
 enum ts_status ts_couette_solve(struct ts_couette *c, int intervals, double tolerance);
 
 /* The same on one mesh of `intervals`; from the present nodes, of as many intervals, if `warm`. */

@@ -27,6 +27,11 @@ double ts_couette_x(const struct ts_couette *c, double nu)
 	return log(nu / (ts_gas_limit(&c->gas) - nu));
 }
 
+double ts_couette_kink(const struct ts_couette *c)
+{
+	return ts_couette_x(c, ts_gas_kink(&c->gas));
+}
+
 void ts_couette_at(const struct ts_couette *c, double x, struct ts_couette_at *out)
 {
 	double part = 1 / (1 + exp(-x)), h, root;
@@ -42,12 +47,15 @@ void ts_couette_at(const struct ts_couette *c, double x, struct ts_couette_at *o
 	out->loss = g.dissipation / (g.pressure * root);
 }
 
-/* By central differences: errors of 1e-10, which cost Newton's method no iteration. */
+/* By central differences: errors of 1e-10, which cost Newton's method no iteration. Not across a step. */
 static void differentiate(const struct ts_couette *c, double x, struct ts_couette_at *d)
 {
 	static const double step = 1e-5;
+	const double kink = ts_couette_kink(c);
 	struct ts_couette_at low, high;
 
+	if (fabs(x - kink) <= step)
+		x = kink + (x > kink ? 1.1 : -1.1) * step;
 	ts_couette_at(c, x - step, &low);
 	ts_couette_at(c, x + step, &high);
 	d->nu = (high.nu - low.nu) / (2 * step);

@@ -64,7 +64,7 @@ static bool find_step(struct ts_couette *c)
 	add_wall(c, 0);
 	add_wall(c, 1);
 	for (int i = 0; i < c->n; i++)
-		add_interval(c, i, c->gap / c->n);
+		add_interval(c, i, ts_couette_width(c, i));
 	return ts_band_solve(rows, BAND, BAND, c->matrix, c->step);
 }
 

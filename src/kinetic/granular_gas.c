@@ -11,6 +11,11 @@ double ts_gas_limit(const struct ts_gas *gas)
 	return gas->radial == TS_GAS_CARNAHAN_STARLING ? 1 : gas->packing;
 }
 
+double ts_gas_kink(const struct ts_gas *gas)
+{
+	return gas->radial == TS_GAS_TORQUATO ? TS_GAS_FREEZING : NAN;
+}
+
 static double carnahan_starling(double nu, double *slope)
 {
 	double free = 1 - nu;

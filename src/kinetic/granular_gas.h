@@ -42,6 +42,8 @@ struct ts_gas_functions {
 /* Solid fraction of spheres at freezing. */
 #define TS_GAS_FREEZING 0.49
 
+/* Solid fraction at which the slope of g0 has a step; NaN: at none. */
+double ts_gas_kink(const struct ts_gas *gas);
 /* Solid fraction at which g0 is infinite. */
 double ts_gas_limit(const struct ts_gas *gas);
 /* 0 < nu < ts_gas_limit. */

@@ -14,6 +14,8 @@ struct ts_couette_at {
 };
 void ts_couette_at(const struct ts_couette *c, double x, struct ts_couette_at *out);
 double ts_couette_x(const struct ts_couette *c, double nu);
+/* x at which the coefficients have a step; NaN: at none. */
+double ts_couette_kink(const struct ts_couette *c);
 
 /* Derivatives of the four unknowns of a node with y, and of these with the unknowns. */
 struct ts_couette_rate {
@@ -29,7 +31,12 @@ void ts_couette_wall(const struct ts_couette *c, int wall, const double z[4], do
 void ts_couette_middle(double width, const double z0[4], const double f0[4], const double z1[4],
 		       const double f1[4], double out[4]);
 
-/* Room for n intervals; nodes are kept. */
+static inline double ts_couette_width(const struct ts_couette *c, int interval)
+{
+	return c->gap / c->parts[interval];
+}
+
+/* Makes n equal intervals; nodes are kept. */
 enum ts_status ts_couette_room(struct ts_couette *c, int n);
 /* A uniform solid fraction, with the shear stress that balances the energy of the whole gap. */
 void ts_couette_guess(struct ts_couette *c);

@@ -16,6 +16,17 @@ static enum ts_status no_solution(const struct ts_sheared_film *f, const struct 
 		       f->couette.gap, f->couette.solids, f->couette.reached);
 }
 
+static enum ts_status not_accurate(const struct ts_sheared_film *f, const struct ts_place *where,
+				   struct ts_error *error)
+{
+	return ts_fail(error, TS_PHYSICS, where,
+		       "sheared film: at a gap of %g diameters and the solid fraction %g the estimated error "
+		       "is %.2g on the finest mesh, of %d intervals; expected at most the tolerance %g: give "
+		       "a "
+		       "larger `tolerance`",
+		       f->couette.gap, f->couette.solids, f->couette.error, f->couette.n, f->tolerance);
+}
+
 static enum ts_status find_solids(struct ts_sheared_film *f, const struct ts_place *where,
 				  struct ts_error *error)
 {
@@ -102,6 +113,8 @@ enum ts_status ts_sheared_film_solve(struct ts_sheared_film *f, const struct ts_
 		status = solve_given(f);
 	if (status == TS_NOMEM)
 		return ts_nomem(error);
+	if (status == TS_RANGE)
+		return not_accurate(f, where, error);
 	if (status != TS_OK) /* the first message stays */
 		return no_solution(f, where, error);
 	scale(f);

@@ -34,6 +34,15 @@ $(near width 'c_c[41][1]' 4e-3 1e-15)" 'load ok' 'shear ok' 'traction ok' 'slip 
 	'temperature ok' 'densest ok' 'energy ok' 'balance ok' 'solutions ok' 'error ok' 'wall ok' \
 	'speed at the wall ok' 'middle ok' 'width ok'
 
+# through freezing, where the slope of torquato's g0 has a step, to the default tolerance
+prints "compute c all granular/couette gap 5 solid_fraction 0.485 speed 1 diameter 1 density 1 restitution 0.85 wall_restitution 0.65 roughness 0.65 radial torquato
+compute f all granular/couette gap 5 solid_fraction 0.485 speed 1 diameter 1 density 1 restitution 0.85 wall_restitution 0.65 roughness 0.65 radial torquato tolerance 1e-11
+$(near load 'c_c[2]/c_f[2]' 1 2e-8)
+$(near balance 'c_c[15]' 0 1e-13)
+$(near middle 'c_c[21][2]' 0.5 1e-9)
+$(near width 'c_c[41][1]' 5 1e-15)
+$(near freezing '(c_c[1][3]<0.49)+(c_c[21][3]>0.49)' 2 0)" 'load ok' 'balance ok' 'middle ok' 'width ok' 'freezing ok'
+
 # The bumpiness is the half angle; other units; walls of their own; a check runs nothing else
 prints "units micro
 compute c all granular/couette gap 4e3 solid_fraction 0.4 speed 2 diameter 787 density 2.55e-3 restitution 0.85 wall_restitution 0.65 bumpiness 40.5416018730 count no
