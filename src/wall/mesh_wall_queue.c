@@ -70,7 +70,7 @@ static void make_contact_point(const struct force_task *task, const struct ts_me
 	point->distance = at->distance;
 	ts_mesh_surface_velocity(s, (size_t)near->triangle, at->weight, point->velocity);
 	point->curvature = 0;
-	point->sums = task->w->observers[near->mesh] != 0;
+	point->observed = task->w->observers[near->mesh] != 0;
 	point->type = (int)s->type;
 	point->mesh = near->mesh + 1;
 	point->triangle = near->triangle;

@@ -25,16 +25,14 @@ struct tile {
 };
 enum { MOST_IN_TILE = 64 };
 
-/* Whether pairs of particle i with this mesh are listed. Immobile particles are listed where the load on
- * the mesh is summed. */
+/* Whether pairs of particle i with this mesh are listed. */
 static bool is_candidate(const struct searching *s, size_t mesh, size_t i)
 {
 	const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
 	const struct ts_particles *p = s->sim->particles;
 
 	return ts_in_group(p, i, part->by->group) &&
-	       (ts_wall_interacts(s->self, s->sim, i, !isnan(part->surface->temperature)) ||
-		(s->w->observers[mesh] && ts_in_group(p, i, s->self->group)));
+	       ts_wall_lists(s->self, s->sim, i, mesh, !isnan(part->surface->temperature));
 }
 
 /* Distance from its centre up to which triangles are listed for particle i. */

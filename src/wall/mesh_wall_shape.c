@@ -234,7 +234,6 @@ static void near_points(const struct ts_wall *w, const struct tsim *sim, size_t 
 
 const struct ts_wall_shape ts_mesh_wall_shape = {
 	.made_of = "meshes",
-	.sums = true,
 	.given = given,
 	.find = find,
 	.release = release,

@@ -411,7 +411,7 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 
 		for (int k = 0; k < w->n; k++)
 			if (primitive_distance(&at[k], p->xhold[i]) < reach &&
-			    ts_wall_interacts(self, sim, i, !isnan(w->temperature)))
+			    ts_wall_lists(self, sim, i, 0, !isnan(w->temperature)))
 				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k, 0));
 	}
 	return TS_OK;
@@ -548,6 +548,7 @@ static void compute_range(void *context, size_t from, size_t to)
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
 	const struct ts_wall_contact_point all = { .type = w->type,
+						   .observed = t->wall->observers[0] != 0,
 						   .warm = !isnan(w->temperature),
 						   .temperature = w->temperature };
 	struct ts_wall_queue queue;

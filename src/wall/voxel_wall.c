@@ -188,7 +188,7 @@ static enum ts_status list_particles(struct ts_instance *self, struct tsim *sim,
 		double reach = p->radius[i] + sim->neigh->built_skin +
 			       (pulls ? ts_wall_reach(w, sim, p->radius[i]) : 0);
 
-		if (ts_in_group(p, i, vw->by->group) && ts_wall_interacts(self, sim, i, warm) &&
+		if (ts_in_group(p, i, vw->by->group) && ts_wall_lists(self, sim, i, 0, warm) &&
 		    ts_voxel_wall_distance(vw, sim, p->xhold[i], reach) < reach)
 			TS_TRY(add_neighbor(sim, w, vw, i, slots_of(needs, p->tag[i])));
 	}

@@ -274,6 +274,7 @@ static void compute_point(const struct force_task *t, struct ts_wall_queue *q, s
 						 .type = (int)s->type,
 						 .mesh = 1,
 						 .triangle = (int)ts_voxel_column_index(t->vw->column[at]),
+						 .observed = q->w->observers[0] != 0,
 						 .warm = !isnan(s->temperature),
 						 .temperature = s->temperature };
 	for (int d = 0; d < 3; d++) {

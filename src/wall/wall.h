@@ -126,7 +126,7 @@ struct ts_wall_contact_point {
 	double distance;    /* of the centre from the surface, length, >= 0 */
 	double velocity[3]; /* of the surface */
 	double curvature;   /* mean curvature of the surface, 1/length, > 0: convex towards the particle */
-	bool sums;	    /* the load on the wall is summed: immobile particles contribute, too */
+	bool observed;	    /* contacts of the surface are observed: those of immobile particles, too */
 	int type;	    /* particle type whose material the surface has */
 	/* for reports: mesh from 1, triangle from 0; 0, 0: no mesh. Of a height field 1 and the column */
 	int mesh, triangle;
@@ -146,13 +146,21 @@ enum ts_status ts_wall_check_type(struct ts_instance *self, struct tsim *sim, in
 /* Whether walls with a temperature exchange heat with particles: a fix heat/gran exists. */
 bool ts_wall_heats(const struct tsim *sim);
 
-/* Whether contacts of particle i are listed: it belongs to the group, and it is mobile or, at a wall with a
+/* Whether the contacts of particle i act on it: it belongs to the group, and it is mobile or, at a wall with a
  * temperature, exchanges heat. */
 static inline bool ts_wall_interacts(const struct ts_instance *self, const struct tsim *sim, size_t i,
 				     bool warm)
 {
 	return ts_in_group(sim->particles, i, self->group) &&
 	       (sim->particles->imass[i] > 0 || (warm && ts_wall_heats(sim)));
+}
+/* Whether contacts of particle i with a surface are listed: they act on it, or the contacts of that surface are observed. */
+static inline bool ts_wall_lists(const struct ts_instance *self, const struct tsim *sim, size_t i,
+				 size_t surface, bool warm)
+{
+	return ts_wall_interacts(self, sim, i, warm) ||
+	       (((const struct ts_wall *)self->state)->observers[surface] &&
+		ts_in_group(sim->particles, i, self->group));
 }
 
 /* Number of its surfaces; the fix of one of them; where contact k is on them. */

@@ -48,20 +48,6 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 	return status;
 }
 
-/* Whether the contact is computed: immobile particles have contacts only where the load on a surface is
- * summed. */
-static bool is_computed(const struct ts_wall *w, const struct tsim *sim, size_t k)
-{
-	struct ts_wall_place place;
-
-	if (sim->particles->imass[w->contacts.row[k]] > 0)
-		return true;
-	if (!w->shape->sums || !w->observed)
-		return false;
-	ts_wall_place(w, k, &place);
-	return w->observers[place.surface];
-}
-
 enum ts_status ts_coincide_review(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
@@ -73,7 +59,7 @@ enum ts_status ts_coincide_review(struct ts_instance *self, struct tsim *sim)
 		size_t i = (size_t)w->contacts.row[k];
 		int type;
 
-		if (is_computed(w, sim, k) &&
+		if (sim->particles->imass[i] > 0 &&
 		    ts_coincide(w->shape->distance(w, sim, k, &type), sim->particles->radius[i]))
 			w->inside = k;
 	}

@@ -346,7 +346,7 @@ bool ts_wall_in_range(const struct ts_wall_queue *q, size_t k, const struct ts_w
 	return point->distance < radius + beyond;
 }
 
-/* An immobile particle feels no force, but conducts heat. */
+/* An immobile particle feels no force, but conducts heat: where nobody observes the force, or it has no direction. */
 static void hold_contact(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point)
 {
 	const struct ts_wall_contacts *c = &q->w->contacts;
@@ -368,13 +368,14 @@ void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_
 {
 	const struct ts_wall_contacts *c = &q->w->contacts;
 	size_t i = (size_t)c->row[k];
+	const bool inside = ts_coincide(point->distance, q->sim->particles->radius[i]);
 
 	c->touching[k] = 1;
-	if (!(q->sim->particles->imass[i] > 0 || point->sums)) {
+	if (!(q->sim->particles->imass[i] > 0 || (point->observed && !inside))) {
 		hold_contact(q, k, point);
 		return;
 	}
-	if (ts_coincide(point->distance, q->sim->particles->radius[i]))
+	if (inside)
 		c->touching[k] = TS_TOUCH_INSIDE;
 	if (point != &q->point[q->n])
 		q->point[q->n] = *point;

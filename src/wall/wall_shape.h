@@ -52,7 +52,6 @@ struct ts_surface_kind {
 struct ts_wall_shape {
 	const char *made_of; /* what a wall of this shape is made of, for messages */
 	bool solid;	     /* particles touch it from outside only; else it is a sheet with two sides */
-	bool sums;	     /* immobile particles are listed, too, where contacts are observed */
 
 	/* ---- definition */
 

@@ -24,6 +24,8 @@ END
 surface_of() {
 	case $1 in
 	plane) echo 'fix cad all wall/gran model hooke/stiffness primitive type 2 zplane 0' ;;
+	field) printf '%s\n' 'fix cad all surface/voxel constant 0 type 2 cells 40 40' \
+		'fix w all wall/gran model hooke/stiffness voxels cad' ;;
 	*) printf '%s\n' "fix cad all mesh/surface file $1.stl type 2" \
 		'fix w all wall/gran model hooke/stiffness mesh n_meshes 1 meshes cad' ;;
 	esac
@@ -174,6 +176,22 @@ print "off $(f_worn/(1e-3*v_m*9.81*0.7*1e-3/1e9)-1)"
 LINES
 awk '$1 == "off" { seen = 1; bad = !($2 * $2 < 1e-18) } END { exit bad || !seen }' out
 report 'sliding: k F s/H' $? out
+
+# A frozen sphere that keeps its speed does the same under F = k_n overlap on each sort of surface, one that is buried in it nothing.
+for sort in plane flat field; do
+	script "frozen on $sort" $sort <<'LINES'
+fix worn all wear/archard surface cad k 1e-3 hardness 1e9
+create_atoms 1 single 0 0.2 0.0499 units box
+create_atoms 1 single 0 -0.4 0 units box
+set group all diameter 0.1 density 2385
+fix hold all freeze
+velocity all set 0.7 0 0 units box
+run 1000
+print "off $(f_worn/(1e-3*1e6*1e-4*0.7*1e-3/1e9)-1)"
+LINES
+	awk '$1 == "off" { seen = 1; bad = !($2 * $2 < 1e-18) } END { exit bad || !seen }' out
+	report "frozen on $sort: k F s/H" $? out
+done
 
 # refused WHAT SURFACE LINE MESSAGE
 refused() {
