@@ -226,6 +226,8 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 {
 	const struct state *s = self->state;
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+	unsigned changes = sheared(s) >= 0 ? 1 | 2 | 4 : 0;
 	int sides = 0;
 
 	for (int k = 0; k < 3; k++) {
@@ -234,6 +236,7 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 		if (s->side[k].mode == NONE)
 			continue;
 		sides++;
+		changes |= 1u << k;
 		if (k == 2 && sim->dimension == 2)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix deform: z cannot change in two dimensions");
@@ -244,12 +247,12 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 					       "boundary p or f",
 					       names[k]);
 	}
-	if (ts_flow_fluid(sim))
+	if (flow && ts_flow_style_of(flow)->grid & changes)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix deform: the grid of the fluid (flow_style, line %d) does not change with "
 			       "the box: change the box before flow_style (`change_box`, or a run with this "
 			       "fix and `unfix`), or use flow_style uniform",
-			       ts_sim_only(sim, TS_KIND_FLOW)->where.line);
+			       flow->where.line);
 	if (ts_sim_only(sim, TS_KIND_AUTOMATON))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix deform: the lattice of the automaton (automaton_style, line %d) does not "
@@ -671,7 +674,8 @@ const struct ts_style ts_fix_deform = {
 	       "images. Unwrapped positions include the displacements. The displacement remains after "
 	       "`unfix`. Bonds and fixes that find periodic images on their own (rigid bodies, meshes, "
 	       "prescribed motion, fluids, insertion, ledger) are refused.\n\n"
-	       "This fix cannot be used with a resolved fluid (flow_style projection), whose grid does not "
+	       "This fix cannot be used with a resolved fluid (flow_style projection), nor along x and y with a film "
+	       "(flow_style reynolds), whose grids do not "
 	       "change with the box during a run. change_box before a run does change the grid.",
 	.example = "fix squeeze all deform 1 z erate -0.02 x volume y volume remap x\n"
 		   "fix shake all deform 10 x wiggle 0.001 0.1 remap v units box\n"

@@ -625,4 +625,5 @@ const struct ts_flow_style ts_flow_reynolds = {
 	.velocity = velocity,
 	.viscosity = viscosity,
 	.density = density,
+	.grid = 1 | 2,
 };

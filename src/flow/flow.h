@@ -16,6 +16,8 @@ struct ts_flow_style {
 	/* Its fields on a grid, which exist (flow/fluid.h); NULL: the velocity is imposed and particles do
 	 * not change it. */
 	struct ts_fluid *(*fluid)(const struct ts_instance *self);
+	/* Bits 1, 2, 4: it has a grid along x, y, z, which does not change with the box in a run. */
+	unsigned grid;
 	/* All ranks call it: each gets the fields in the whole grid, until the next step. */
 	void (*complete)(struct ts_instance *self, const struct tsim *sim);
 	/* Those into which the particles are divided among ranks; NULL: they are not. */

@@ -635,6 +635,7 @@ const struct ts_flow_style ts_flow_projection = {
 	.viscosity = viscosity,
 	.density = density,
 	.fluid = fluid,
+	.grid = 1 | 2 | 4,
 	.complete = complete,
 	.blocks = blocks,
 };

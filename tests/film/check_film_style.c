@@ -379,6 +379,8 @@ START_TEST(refusals)
 		"the edge xhi is not open, but the opposite one is");
 	refuses("f f f", FILM "upper 1 lower 1", "the gap is 0 at (0.0625, 0.0625), the surfaces touch");
 	refuses("f f f", FILM "upper 1 lower 2", "the gap is -1 at");
+	refuses("f f f", FILM "upper 1 lower 0\nfix d all deform 1 y erate 1",
+		"does not change with the box");
 }
 END_TEST
 

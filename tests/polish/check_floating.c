@@ -337,6 +337,8 @@ START_TEST(refusals)
 	refuses("hills settled" SPRINGS, "lower_voxel hills gap stepped open xlo xhi touching solid",
 		"its forces jump; expected `least_gap`");
 	refuses("pad settled joint_1 0.07" SPRINGS, SLIDES "\nfix grow all deform 1 x final 0 1.1",
+		"the grid of the fluid (flow_style");
+	refuses("pad settled joint_1 0.07" SPRINGS, SLIDES "\nrun 0\nchange_box all y final 0 1.1",
 		"the film below it covers the box, the wafer the pad pad");
 	refuses("half settled" SPRINGS, SLIDES,
 		"expected a pad with normal z of the size of the box, from 0 to 1 along x");
