@@ -113,6 +113,21 @@ const struct ts_place *ts_instance_word(const struct ts_instance *inst, const ch
 	return &inst->where;
 }
 
+enum ts_status ts_sim_next_step(struct tsim *sim, const char *what, const char *output, const char *variable,
+				const struct ts_place *where, int64_t *next)
+{
+	double step;
+
+	TS_TRY(sim->script_api->scalar(sim->script_api_data, variable, where, &step));
+	if (!(step > (double)sim->clock.step))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "%s v_%s: the step of the next %s would be %g, but step %" PRId64
+			       " is reached already",
+			       what, variable, output, step, sim->clock.step);
+	*next = ts_clock_step_of(step);
+	return TS_OK;
+}
+
 const struct ts_place *ts_sim_word(const struct tsim *sim, size_t k, const struct ts_place *where)
 {
 	return k < sim->line.n ? &sim->line.word[k].place : where;

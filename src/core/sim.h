@@ -287,6 +287,11 @@ static inline int ts_team(const struct tsim *sim, size_t n)
 double ts_sim_time(const struct tsim *sim);	 /* [time] */
 void ts_sim_set_dt(struct tsim *sim, double dt); /* dt [time] */
 
+/* The step of the next output by its variable, as `thermo v_NAME`: an error in the name of `what` ("thermo") if that step, of the
+ * next `output` ("row"), is reached already. */
+enum ts_status ts_sim_next_step(struct tsim *sim, const char *what, const char *output, const char *variable,
+				const struct ts_place *where, int64_t *next);
+
 /* timer timeout: whether the wall time of runs is up, in steps in which it is read. */
 bool ts_sim_time_is_up(const struct tsim *sim);
 

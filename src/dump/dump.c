@@ -16,22 +16,6 @@ static bool one_file_per_frame(const struct ts_dump_common *d)
 	return d->single || strchr(d->file, '*') != NULL;
 }
 
-/* Evaluates the variable of `every v_NAME`: the step of the next frame. */
-static enum ts_status evaluate_next_step(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_dump_common *d = self->state;
-	double next;
-
-	TS_TRY(sim->script_api->scalar(sim->script_api_data, d->variable, &self->where, &next));
-	if (!(next > (double)sim->clock.step))
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "dump_modify every v_%s: the step of the next frame would be %g, but step "
-			       "%lld is reached already",
-			       d->variable, next, (long long)sim->clock.step);
-	d->next = ts_clock_step_of(next);
-	return TS_OK;
-}
-
 bool ts_dump_may_be_due(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_dump_common *d = self->state;
@@ -61,7 +45,8 @@ enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due
 	if (*due || d->variable || d->frames == 0)
 		ts_deferred_loops_run(sim);
 	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
-		TS_TRY(evaluate_next_step(self, sim));
+		TS_TRY(ts_sim_next_step(sim, "dump_modify every", "frame", d->variable, &self->where,
+					&d->next));
 	*due |= d->first && d->frames == 0 && sim->clock.first_step >= d->delay;
 	*due &= step >= d->delay && !(d->frames && d->last == step);
 	*due |= d->once; /* write_dump */

@@ -253,21 +253,6 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 	return write_line(t, sim);
 }
 
-/* `thermo v_NAME`: evaluates the step of the next row. */
-static enum ts_status evaluate_next_step(struct ts_thermo *t, struct tsim *sim)
-{
-	double next;
-
-	TS_TRY(sim->script_api->scalar(sim->script_api_data, t->variable, NULL, &next));
-	if (!(next > (double)sim->clock.step))
-		return ts_fail(&sim->error, TS_RANGE, NULL,
-			       "thermo v_%s: the step of the next row would be %g, but step %" PRId64
-			       " is reached already",
-			       t->variable, next, sim->clock.step);
-	t->next = ts_clock_step_of(next);
-	return TS_OK;
-}
-
 /* Whether a row is due. Only rows due by `every` or `variable`, each once, may advance variables that read
  * from files (reading.probing is false): then a run cut in two reads the same lines as the whole run. */
 static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
@@ -282,7 +267,7 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 	if (asked)
 		t->counted = c->step + 1;
 	if (t->variable && (c->step == c->first_step || c->step == t->next))
-		return evaluate_next_step(t, sim);
+		return ts_sim_next_step(sim, "thermo", "row", t->variable, NULL, &t->next);
 	return TS_OK;
 }
 
