@@ -275,15 +275,6 @@ static int add_words(struct ts_word_list *list, const char *option, char *const 
 	return 0;
 }
 
-/* Of two values LAMMPS and LIGGGHTS take the first, other programs the last. */
-static int refuse_second_value(const struct ts_word_list *variables, const char *name)
-{
-	for (size_t k = 0; k + 1 < variables->n; k++)
-		if (ts_streq(variables->word[k].text, "-var") && ts_streq(variables->word[k + 1].text, name))
-			return ts_program_usage_error("-var %s is given twice%s", name, "");
-	return 0;
-}
-
 static int set_jobs(struct ts_setup *setup, const char *text)
 {
 	if (!ts_parse_int(text, &setup->jobs) || setup->jobs < 1 || setup->jobs > 1024)
@@ -428,8 +419,7 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 		setup->input = value[0];
 		return add_words(&setup->inputs, NULL, value, n);
 	case OPT_VAR:
-		return usage_status(refuse_second_value(&setup->variables, value[0]) ||
-				    add_words(&setup->variables, "-var", value, n) ||
+		return usage_status(add_words(&setup->variables, "-var", value, n) ||
 				    set_variable(sim, value, n));
 	case OPT_LOG:
 		setup->log = value[0];

@@ -51,8 +51,8 @@ expect 'unused variable' 0 "$version
 n 2.5
 warning: variable 'm' was set from outside, but the script does not use it" '' \
 	-var m 7 -in in.script -log none
-expect 'variable given twice' 2 '' "tsim: -var n is given twice
-$more" -var n 1 -in in.script -v n 2
+expect 'variable given twice: the last value' 0 "$version
+n 2" '' -var n 1 -in in.script -v n 2 -log none
 expect 'unknown option' 2 '' "tsim: unknown option '-lgo'; did you mean '-log'?
 $more" -lgo none
 expect 'option without value' 2 '' "tsim: option -in needs FILE
