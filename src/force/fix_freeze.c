@@ -100,11 +100,9 @@ const struct ts_style ts_fix_freeze = {
 	.doc = "Sets force and torque of the particles of the group to zero. Particles at rest stay at "
 	       "rest; moving ones keep their velocity, so set it to zero first. Frozen particles have "
 	       "infinite mass in contact laws. Contacts between two frozen particles are not evaluated; "
-	       "those of one with a wall only "
-	       "where a style reads the contacts of that surface, as fix wear/archard, surface/heat or "
-	       "mesh/surface/stress. f_ID has "
-	       "no forces of other walls. Define this fix after the fixes whose "
-	       "forces it cancels.",
+	       "those of one with a wall only where a style reads the contacts of that surface, as fix "
+	       "wear/archard, surface/heat or mesh/surface/stress. f_ID has no forces of other walls. Define "
+	       "this fix after the fixes whose forces it cancels.",
 	.example = "velocity wall set 0 0 0\nfix hold wall freeze",
 	.state_size = sizeof(struct freeze),
 	.archive = archive,

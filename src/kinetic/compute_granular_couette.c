@@ -324,11 +324,10 @@ static const char *const doc_more[] = {
 	"solid fraction, T.",
 	"Method: collocation of fourth order, Newton's method, continuation from narrow gaps; the mesh is "
 	"refined until the estimated error is below `tolerance`; with radial torquato it has shorter "
-	"intervals where nu passes 0.49, as nu' has a step there. If a mesh of about 65536 intervals is "
-	"not fine enough the "
-	"error is told. In gaps of more than about 10 diameters, of "
-	"nearly elastic grains more, there may be further solutions, dense at one wall: 16 says so. The "
-	"result is that which continues the only one of narrow gaps, symmetric if the walls are.",
+	"intervals where nu passes 0.49, as nu' has a step there. If a mesh of about 65536 intervals is not "
+	"fine enough the error is told. In gaps of more than about 10 diameters, of nearly elastic grains "
+	"more, there may be further solutions, dense at one wall: 16 says so. The result is that which "
+	"continues the only one of narrow gaps, symmetric if the walls are.",
 	"Refused are: a mean solid fraction of `packing` or more; a gap below 2 diameters; smooth walls; "
 	"elastic grains between elastic walls, which have no steady state; solid fractions that reach "
 	"`packing` with carnahan/starling; wide gaps up to which the solution of narrow gaps does not "

@@ -22,8 +22,7 @@ static enum ts_status not_accurate(const struct ts_sheared_film *f, const struct
 	return ts_fail(error, TS_PHYSICS, where,
 		       "sheared film: at a gap of %g diameters and the solid fraction %g the estimated error "
 		       "is %.2g on the finest mesh, of %d intervals; expected at most the tolerance %g: give "
-		       "a "
-		       "larger `tolerance`",
+		       "a larger `tolerance`",
 		       f->couette.gap, f->couette.solids, f->couette.error, f->couette.n, f->tolerance);
 }
 
