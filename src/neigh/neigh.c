@@ -455,6 +455,20 @@ static double image_bytes(const struct tsim *sim)
 	return images * bytes;
 }
 
+static void report_pairs(const struct ts_neigh *nb, const struct tsim *sim, struct ts_plan_report *report)
+{
+	const size_t list = nb->contacts.n, n = sim->particles->n;
+
+	if (!n && !(nb->skin > 0))
+		ts_report_line(report, "contact list",
+			       "no pairs yet; the skin follows from the first particles");
+	else
+		ts_report_line(report, "contact list",
+			       "%zu pairs within the skin %g (%.1f per particle), %zu bytes each", list,
+			       nb->built_skin, n ? (double)list / (double)n : 0.0,
+			       list ? ts_contact_list_bytes(&nb->contacts) / list : 0);
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_neigh *nb = self->state;
@@ -465,10 +479,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		return TS_OK;
 	}
 	report->bytes += (double)ts_contact_list_bytes(&nb->contacts);
-	ts_report_line(report, "contact list",
-		       "%zu pairs within the skin %g (%.1f per particle), %zu bytes each", list,
-		       nb->built_skin, sim->particles->n ? (double)list / (double)sim->particles->n : 0.0,
-		       list ? ts_contact_list_bytes(&nb->contacts) / list : 0);
+	report_pairs(nb, sim, report);
 	if (!nb->contacts.history_width)
 		ts_report_left_out(report, "contact history", TS_FULL_HISTORY,
 				   3.0 * sizeof(double) * (double)list, "the contact law has no history");

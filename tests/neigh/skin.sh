@@ -47,4 +47,12 @@ rows_of log.yes >more
 report 'a heap at rest has fewer rows' $? fewer
 "$TSIM" -in in.heap -var fixed 'fixed no' -var out cut -var first 3217 -log log.cut -screen none 2>err
 same 'a run cut in two' no.dump cut.dump
+
+# without particles there is no skin yet to tell
+printf '%s\n' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' 'pair_style gran/hooke 1 NULL 1 NULL 0.5 0' \
+	'pair_coeff * *' '${skin}' 'run 0' >in.empty
+for case in 'print none:no pairs yet' 'neighbor 0.02 bin:0 pairs within the skin 0.02'; do
+	"$TSIM" -explain -in in.empty -log none -var skin "${case%:*}" >out 2>&1 && shows "${case#*:}" out
+	report "no particles, ${case%:*}" $? out
+done
 finish
