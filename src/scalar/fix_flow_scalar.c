@@ -200,6 +200,10 @@ static enum ts_status make_fields(struct ts_instance *self, struct tsim *sim)
 			return ts_nomem(&sim->error);
 		ts_fluid_copy_field(s->fluid, t->void_fraction, s->fluid->void_fraction);
 	}
+	if (!s->fluid->void_fraction) { /* the fix that set it is gone */
+		ts_grid_field_free(t->void_fraction);
+		t->void_fraction = NULL;
+	}
 	s->size = size;
 	return TS_OK;
 }

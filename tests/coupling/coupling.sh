@@ -88,6 +88,13 @@ agree 'no particles' "$empty
 print 'is void \$(f_e[1]) 1'
 print 'is drag \$(f_d[1]) 0'
 print 'is heat \$(f_T[1]/3000) 1'"
+agree 'no void fraction any more' "$empty
+unfix d
+unfix a
+unfix p
+unfix e
+run 2
+print 'is heat \$(f_T[1]/3000) 1'"
 agree 'another grid' "$empty
 flow_style none
 flow_style projection cells 4 4 4 viscosity 1 density 1000
