@@ -436,7 +436,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 
 		if (!r)
 			continue;
-		ts_immersed_record_update(r, &s->immersed.sums[k], fluid->density, share, length, depth);
+		ts_immersed_record_update(r, &s->immersed.sums[k], fluid, share, length, depth);
 		if (discs) /* cell centres may be beside the plane of the discs */
 			r->torque[0] = r->torque[1] = 0;
 	}
@@ -716,13 +716,16 @@ static const struct ts_saved saved[] = {
 
 static const char forces_and_limits[] =
 	"The force on the body is the opposite of the force that the forcing exerts on the fluid, plus the "
-	"rate of change of the momentum of the fluid inside,\n\n"
-	"    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
-	"and 0 before the first step. With `viscous implicit` velocities next to the body have an error of "
-	"first order in the step: keep the step near h^2/nu. Bodies of fewer than `min_cells` cells across, "
-	"along the axis where they are fewest, are refused: with 4 the error of the drag is 5 to 13 %, with "
-	"8 it is 1 to 4 %. The thickness of a clump is that of its largest sphere. A body that is nowhere "
-	"thicker than two cells leaks, and a warning is printed.\n\n"
+	"rate of change of the momentum of the fluid inside without its weight,\n\n"
+	"    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV - int rho g dV,\n\n"
+	"and 0 before the first step. g is the body_force of flow_style along axes that are not periodic: "
+	"the last term is the buoyancy (3 % too large with 8 cells across a sphere, 1 % with 16). With "
+	"`viscous implicit` velocities next to the body have an error of first order in the step: keep the "
+	"step near h^2/nu. Bodies of fewer than `min_cells` cells across, along the axis where they are "
+	"fewest, are refused: with 4 the error of the drag is 5 to 13 %, with 8 it is 1 to 4 %. The "
+	"thickness "
+	"of a clump is that of its largest sphere. A body nowhere thicker than two cells leaks, with a "
+	"warning.\n\n"
 	"The pressure cannot drive fluid through a body. At the beginning of a run, and when bodies move, "
 	"all cells are marked that are connected with an outlet (or an inlet with given pressure) through "
 	"faces of cells whose centre is in the fluid. A body is refused, and the position reported, if it "
@@ -766,8 +769,7 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with force and "
 	       "torque per unit depth, like its mass) that is large compared with the cells. The force on "
 	       "it is added in the next step, so integrators, contacts, fix rigid and fix multisphere work "
-	       "as usual. Weight and buoyancy are those of the script: the pressure has no hydrostatic "
-	       "part, unless flow_style has a body_force.\n\n"
+	       "as usual. Weight and, without body_force, buoyancy are those of the script.\n\n"
 	       "For particles and for meshes of fix move/mesh/free a virtual mass m_v, `virtual_mass` times "
 	       "that of the displaced fluid, is added to both sides of the equation of motion,\n\n"
 	       "    (m + m_v) a = F + (all other forces) + m_v a',\n\n"

@@ -11,20 +11,25 @@
  * grow in each step. */
 static const double OUTER_PRESSURE = 0.5;
 
+/* The same with the incremental projection, also for points deep inside: it would keep what the pressure has
+ * there for ever. Less of it is not stable in steps as long as implicit viscosity allows. */
+static const double KEPT_PRESSURE = 0.9;
+
 /* Work of an outer point in iterations of a simple loop, for the number of threads. */
 enum { OUTER_ROUNDS = 8 };
 
 /* Velocity to be added at a point of component c for the fraction `share` of the old pressure gradient,
- * dt/rho dp/dx, which the projection subtracts again. 0 with the incremental projection, whose predictor
- * contains that gradient. */
+ * dt/rho dp/dx, which the projection subtracts again. The predictor of the incremental projection contains
+ * all of it, so the rest is subtracted here. The rest is that of p - rho g x: a fluid at rest stays at rest. */
 static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int index, double dt,
 			    double share)
 {
 	const struct ts_grid *grid = &fluid->grid;
+	double weight = ts_immersed_weight(fluid, c), part = fluid->incremental ? share - 1 : share;
 
-	share = fluid->incremental ? 0 : share;
-	return share * dt / fluid->density * (fluid->p[at] - fluid->p[at - (size_t)grid->stride[c]]) /
-	       grid->gap[c][index];
+	part *= dt / fluid->density * (fluid->p[at] - fluid->p[at - (size_t)grid->stride[c]]) /
+		grid->gap[c][index];
+	return weight == 0 ? part : part + (1 - share) * dt * weight;
 }
 
 /* Velocity to be added at a sample for the old pressure gradient: trilinear between the points around it. */
@@ -72,6 +77,8 @@ static double sample_velocity(const struct ts_grid *grid, const double *u, const
 
 static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
 {
+	const double deep = fluid->incremental ? KEPT_PRESSURE : 0;
+
 #pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->first[c + 1] - ib->first[c])) schedule(static)
 	for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
 		struct ts_immersed_point *p = &ib->point[k];
@@ -79,7 +86,7 @@ static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, 
 		p->before = fluid->u[c][p->at];
 		if (!p->outside)
 			fluid->u[c][p->at] =
-				p->target + pressure_part(fluid, c, p->at, p->index, dt, p->deep ? 0 : 1);
+				p->target + pressure_part(fluid, c, p->at, p->index, dt, p->deep ? deep : 1);
 	}
 }
 
@@ -87,13 +94,14 @@ static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, 
 static void begin_outer_points(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt)
 {
 	size_t first = ib->outer_first[c], end = ib->outer_first[c + 1];
+	const double share = fluid->incremental ? KEPT_PRESSURE : OUTER_PRESSURE;
 
 #pragma omp parallel for num_threads(ts_fluid_team(fluid, OUTER_ROUNDS *(end - first))) schedule(static)
 	for (size_t k = first; k < end; k++) {
 		struct ts_immersed_outer *b = &ib->outer[k];
 		const struct ts_immersed_point *p = &ib->point[b->point];
 
-		b->fixed = b->surface + pressure_part(fluid, c, p->at, p->index, dt, OUTER_PRESSURE);
+		b->fixed = b->surface + pressure_part(fluid, c, p->at, p->index, dt, share);
 		for (int m = 0; m < 2; m++)
 			b->fixed -= b->out[m].count *
 				    (b->surface + sample_pressure_part(fluid, c, &b->out[m], dt));
@@ -135,10 +143,10 @@ static void share_velocity(const struct ts_immersed *ib, const struct ts_fluid *
 		ts_fluid_slabs_share_beside(fluid, fluid->u[c], ib->planes_beside, ib->planes_beside);
 }
 
-/* Samples read the pressure of the last projection. */
+/* Points and samples read the pressure of the last projection. */
 static void share_pressure(const struct ts_immersed *ib, const struct ts_fluid *fluid)
 {
-	if (ts_fluid_divided(fluid) && !fluid->incremental)
+	if (ts_fluid_divided(fluid))
 		ts_fluid_slabs_share_beside(fluid, fluid->p, ib->planes_beside, ib->planes_beside);
 }
 
@@ -147,7 +155,7 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, double dt
 	const int dimensions = fluid->grid.dimensions;
 
 	share_pressure(ib, fluid);
-	if (ts_fluid_divided(fluid) && fluid->grid.periodic[2] && !fluid->incremental)
+	if (ts_fluid_divided(fluid) && fluid->grid.periodic[2])
 		ts_fluid_fill_periodic(fluid, fluid->p);
 	for (int c = 0; c < dimensions; c++) {
 		force_inside(ib, fluid, c, dt);

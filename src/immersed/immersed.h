@@ -21,7 +21,11 @@
  * inside, which does not exist in fact (Uhlmann, J. Comput. Phys. 209 (2005) 448; Kempe & Froehlich, J.
  * Comput. Phys. 231 (2012) 3663):
  *
- *   F = -sum rho (u_forced - u_before) V/dt + d/dt integral_inside rho u dV */
+ *   F = -sum rho (u_forced - u_before) V/dt + d/dt integral_inside rho u dV - integral_inside rho g dV
+ *
+ * g is the body force along the axes where the ends of the grid bear the weight of the fluid: the last
+ * term is the buoyancy. Along periodic axes it drives the flow, and F contains what acts on the fluid
+ * inside. */
 #ifndef TS_IMMERSED_IMMERSED_H
 #define TS_IMMERSED_IMMERSED_H
 
@@ -67,6 +71,7 @@ struct ts_immersed_sums {
 	double impulse[3], angular_impulse[3]; /* of the forcing on the fluid, completed substeps */
 	double volume;			       /* volume inside, as sum over control volumes */
 	double velocity[3], spin[3]; /* inside: mean of u, and of (x - X) x u about the mean position X */
+	double arm[3][3];	     /* mean position relative to the centre, of the points of component c */
 };
 
 /* The points of one component of one part (an image of it) in one plane across the last axis, and sums over them. Ranks divide
@@ -115,6 +120,13 @@ struct ts_immersed {
 	size_t candidate_capacity;
 	enum ts_status status;
 };
+
+/* Body force along an axis where the ends of the grid bear the weight of the fluid, so that a pressure balances it: 0 along
+ * periodic axes, as for the hydrostatic pressure of open faces. */
+static inline double ts_immersed_weight(const struct ts_fluid *fluid, int axis)
+{
+	return fluid->grid.periodic[axis] ? 0 : fluid->body_force[axis];
+}
 
 /* ---- immersed_resolution.c
  * Refuses a part that is fewer than `least` cells across; `spheres`: parts are particles. */

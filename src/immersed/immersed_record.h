@@ -11,9 +11,9 @@ struct ts_immersed_record {
 };
 #define TS_IMMERSED_INSIDE 0.5
 
-/* Updates force and torque, per `depth`, from the forcing and the change of the fluid inside in a step of `length`; of the
- * old ones 1 - share remains. */
+/* Updates force and torque, per `depth`, from the forcing, the change of the fluid inside and its weight in a step of
+ * `length`; of the old ones 1 - share remains. */
 void ts_immersed_record_update(struct ts_immersed_record *r, const struct ts_immersed_sums *sums,
-			       double density, double share, double length, double depth);
+			       const struct ts_fluid *fluid, double share, double length, double depth);
 
 #endif

@@ -170,6 +170,7 @@ static void add_mean_torque(struct ts_immersed_sums *s, int c, const struct mean
 		return;
 	s->volume += v / dimensions;
 	s->velocity[c] = m->u / v;
+	ts_scale(1 / v, m->x, s->arm[c]);
 	s->spin[a] += m->xu[b] / v - m->x[b] / v * (m->u / v);
 	s->spin[b] -= m->xu[a] / v - m->x[a] / v * (m->u / v);
 }

@@ -428,6 +428,66 @@ for run in '2 spheres' '1 region one'; do
 	report "a sphere in a period of 8 cells: $run" $? one
 done
 
+# ---- buoyancy by body_force in a closed box: the fluid stays at rest, the body gets the weight of the fluid in its place, and
+# what is left of it rests on the walls; along a periodic axis the body force drives the flow
+cat >in.weight <<'END'
+units si
+boundary p f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 16 16 16 viscosity 0.05 density 2.385 body_force 0 0.5 -9.81 ${scheme}
+region ball sphere 0.5 0.5 0.5 0.25 units box
+fix ball all immersed/boundary region ball centre 0.5 0.1 0.3
+compute zlo all flow/force zlo
+compute zhi all flow/force zhi
+timestep 5e-3
+run 100
+variable w equal 2.385*4/3*PI*0.25^3
+print "F $(f_ball[3]) $(f_ball[2]) $(9.81*v_w) $(-0.5*v_w)"
+print "T $(f_ball[4]) $(0.4*f_ball[3]-0.2*f_ball[2])"
+print "WALLS $(c_zlo[3]+c_zhi[3]) $(-9.81*2.385)"
+print "REST $(flow_ke/2.385<1e-9)"
+END
+for scheme in 'time rk3' 'viscous implicit'; do
+	"$TSIM" -in in.weight -log none -var scheme "$scheme" >out 2>&1
+	read -r _ z y exact_z exact_y < <(grep '^F ' out)
+	near "buoyancy, $scheme" "$z" "$exact_z" 0.035
+	near "buoyancy aslant, $scheme" "$y" "$exact_y" 0.035
+	read -r _ torque exact < <(grep '^T ' out)
+	near "its torque about a point beside the centre, $scheme" "$torque" "$exact" 1e-5
+	read -r _ walls exact < <(grep '^WALLS ' out)
+	near "the weight on the walls, $scheme" "$walls" "$exact" 1e-5
+	grep -q '^REST 1$' out
+	report "the fluid stays at rest, $scheme" $? out
+done
+
+# ---- the torque on a body that is accelerated is that of its force: (c - x) x F about a point x beside the centre c
+agree 'torque about a point beside the centre' 'units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 10 10 10 viscosity 0.02 density 1
+variable v equal 10*time
+region ball sphere 0.5 0.5 0.5 0.3 units box
+fix ball all immersed/boundary region ball velocity v_v 0 0 centre 0.5 0.2 0.6
+timestep 1e-3
+run 5
+print "is about_y $(f_ball[5]) $(-0.1*f_ball[1])"
+print "is about_z $(f_ball[6]) $(-0.3*f_ball[1])"'
+
+# ---- implicit viscosity: the pressure in bodies does not grow from step to step
+cat >in.kept <<'END'
+include in.couette
+timestep $(dt/2)
+run 1500
+print "T $(f_in[6]) $(f_out[6]) $(4*PI*1.385*0.7*0.45^2/(1-0.45^2))"
+END
+sed -i 's/density 1$/density 1 viscous implicit time ab2/; s/^run 500/run 1/; /^print/d' in.couette
+"$TSIM" -in in.kept -log none >out 2>&1
+read -r _ inner outer exact < <(grep '^T ' out)
+near 'torque on the cylinder that turns, viscous implicit' "$inner" "-$exact" 0.03
+near 'what one loses the other gets, viscous implicit' "$outer" "${inner#-}" 2e-3
+
 # warns WHAT REGION TEXT
 warns() {
 	printf '%s\nregion b %s units box\nfix b all immersed/boundary region b min_cells 0\ntimestep 1e-4\nrun 1\n' "$scene" "$2" >in.script
