@@ -218,13 +218,25 @@ static void add_pressure(const struct edge *e, struct ts_flow_face_load *out)
 	}
 }
 
-/* Length that belongs to face i of axis t: half of each cell beside it that is in the grid. */
-static double face_length(const struct ts_grid *grid, int t, int i)
+/* Length along t that belongs to the velocity point on the lower face of a cell: half of each cell beside it that is in the
+ * grid, and whose centre is in the region. */
+static double point_length(const struct edge *e, int t, const int cell[3])
 {
-	double low = i > 0 || grid->periodic[t] ? grid->width[t][i - 1] : 0;
-	double high = i < grid->n[t] || grid->periodic[t] ? grid->width[t][i] : 0;
+	const struct ts_grid *grid = &e->fluid->grid;
+	int b = (e->d + 1) % 3, c = (e->d + 2) % 3, beside[3] = { cell[0], cell[1], cell[2] };
+	double x = grid->face[e->d][e->cell + (e->sign > 0)], width[2] = { 0 };
 
-	return 0.5 * (low + high);
+	for (int high = 0; high < 2; high++) {
+		int i = cell[t] - 1 + high;
+
+		if (!grid->periodic[t] && (i < 0 || i >= grid->n[t]))
+			continue;
+		beside[t] = i < 0 ? grid->n[t] - 1 : i;
+		if (in_region(e->region, e->d, x,
+			      (const double[]){ grid->centre[b][beside[b]], grid->centre[c][beside[c]] }))
+			width[high] = grid->width[t][i];
+	}
+	return 0.5 * (width[0] + width[1]);
 }
 
 /* Adds the shear force of component t, which is stored on the faces across t. */
@@ -241,13 +253,10 @@ static void add_shear(const struct edge *e, int t, struct ts_flow_face_load *out
 
 		for (cell[t] = 0; cell[t] < grid->n[t] + !grid->periodic[t]; cell[t]++) {
 			ptrdiff_t at = (ptrdiff_t)ts_at(grid, cell[0], cell[1], cell[2]);
-			double along[3] = { grid->centre[0][cell[0]], grid->centre[1][cell[1]],
-					    grid->centre[2][cell[2]] };
+			double length = point_length(e, t, cell);
 
-			along[t] = grid->face[t][cell[t]];
-			along[e->d] = grid->face[e->d][e->cell + (e->sign > 0)];
-			if (!e->region || ts_region_contains(e->region, along))
-				row += face_length(grid, t, cell[t]) * grid->width[c][cell[c]] *
+			if (length > 0)
+				row += length * grid->width[c][cell[c]] *
 				       (e->fluid->void_fraction_face[t] ? e->fluid->void_fraction_face[t][at]
 									: 1) *
 				       (u[at] - u[at + e->outward]) / gap;

@@ -62,6 +62,23 @@ compute part all flow/force zlo region half
 print "is flux $(2*c_half) $(c_all)"
 print "is area $(2*c_half[2]) $(c_all[2])"
 print "is force $(2*c_part[7]) $(c_zlo[7])"'
+# a velocity point between a cell in the region and one beside it counts by half; regions that share all cells share the force
+agree 'regions share the shear force' 'units si
+boundary p f p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 8 6 4 viscosity 1.385 density 10
+flow_boundary yhi wall velocity 1 0 0.5
+region a block INF 0.5 INF INF INF INF units box
+region b block 0.5 INF INF INF INF INF units box
+compute all all flow/force yhi
+compute a all flow/force yhi region a
+compute b all flow/force yhi region b
+timestep 1e-3
+run 5
+print "is half $(2*c_a[7]) $(c_all[7])"
+print "is other $(2*c_b[7]) $(c_all[7])"
+print "is beside $(2*c_b[9]) $(c_all[9])"'
 
 agree 'keywords' 'include duct
 flow_set velocity 0.7 0 0
