@@ -167,6 +167,7 @@ enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct 
 	/* the time of the last step was another one */
 	p->before_known &= p->before_resets == sim->clock.resets;
 	p->before_resets = sim->clock.resets;
+	p->force_known &= p->before_known;
 	if (!p->before_known || (ts_projection_not_started(p) && !sim->run.inside))
 		return ts_projection_store_boundary(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	return TS_OK;

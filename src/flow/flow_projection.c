@@ -1,5 +1,6 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/deferred_loops.h"
 #include "core/ranks.h"
@@ -107,7 +108,9 @@ static enum ts_status evaluate_force(struct ts_instance *self, struct tsim *sim)
 	struct ts_projection *p = self->state;
 
 	for (int d = 0; d < 3; d++)
-		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
+		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->force_now[d]));
+	if (!p->force_known)
+		memcpy(p->force_before, p->force_now, sizeof p->force_before);
 	return ts_number_now(sim, &p->level, &self->where, &p->level_now);
 }
 
@@ -130,16 +133,30 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* Counts a step of the simulation for which the fluid waits. The time of equal steps is a product, not a sum. */
+static void wait_for_step(struct ts_projection *p, double dt)
+{
+	/* files of older versions have no time */
+	const bool equal = p->waited == 0 || p->elapsed == 0 || dt == p->waited_dt;
+
+	p->waited++;
+	p->elapsed = equal ? (double)p->waited * dt : p->elapsed + dt;
+	p->waited_dt = equal ? dt : 0;
+}
+
 static enum ts_status make_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
 	p->source_steps++;
-	if (++p->waited < p->every)
+	wait_for_step(p, sim->clock.dt);
+	if (p->waited < p->every)
 		return TS_OK;
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
 	TS_TRY(evaluate_force(self, sim));
-	TS_TRY(ts_projection_step(self, sim, (double)p->waited * sim->clock.dt));
+	TS_TRY(ts_projection_step(self, sim, p->elapsed));
+	memcpy(p->force_before, p->force_now, sizeof p->force_before);
+	p->force_known = true;
 	p->waited = 0;
 	return TS_OK;
 }
@@ -215,6 +232,26 @@ static enum ts_status archive_field(struct ts_archive *archive, const char *name
 	return ts_archive_fixed(archive, full, TS_SAVED_F64, *field, grid->size);
 }
 
+/* What older files do not have: the time for which the fluid has waited, and the body force of the last step. */
+static enum ts_status archive_force_and_wait(struct ts_projection *p, struct ts_archive *archive)
+{
+	const bool writing = ts_archive_writing(archive);
+
+	if (writing ? p->waited > 0 : ts_archive_has(archive, "elapsed")) {
+		TS_TRY(ts_archive_fixed(archive, "elapsed", TS_SAVED_F64, &p->elapsed, 1));
+		TS_TRY(ts_archive_fixed(archive, "waited_dt", TS_SAVED_F64, &p->waited_dt, 1));
+	}
+	if (writing ? p->force_known : ts_archive_has(archive, "force_before")) {
+		TS_TRY(ts_archive_fixed(archive, "force_before", TS_SAVED_F64, p->force_before, 3));
+		p->force_known = true;
+	}
+	if (writing ? p->history_dt > 0 : ts_archive_has(archive, "history_force"))
+		return ts_archive_fixed(archive, "history_force", TS_SAVED_F64, p->history_force, 3);
+	for (int d = 0; d < 3 && !writing; d++)
+		p->history_force[d] = NAN;
+	return TS_OK;
+}
+
 /* Saves or restores the fields, ghosts included; optional fields if they are allocated, or in the file. */
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
@@ -247,6 +284,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	for (size_t k = 0; k < sizeof scalars / sizeof *scalars && status == TS_OK; k++)
 		status = archive_field(archive, scalars[k].name, '\0', &fluid->grid, scalars[k].field,
 				       !writing || *scalars[k].field);
+	if (status == TS_OK)
+		status = archive_force_and_wait(p, archive);
 	if (status == TS_OK)
 		status = ts_projection_archive_boundary(p, sim, archive);
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
@@ -602,8 +641,8 @@ const struct ts_flow_style ts_flow_projection = {
 			  "euler, rk2 and rk3. With `wall quadratic` the shear stress at walls is of second\n"
 			  "order, and the parabolic profile of a channel is exact.\n\n"
 			  "`time`: euler is of first order, ab2 (Adams-Bashforth) and rk2 (Runge-Kutta) of\n"
-			  "second, rk3 of third. Boundary values that vary are linear in time within a "
-			  "step.\n"
+			  "second, rk3 of third. Boundary values and a body_force that vary are linear in\n"
+			  "time within a step, which is of second order.\n"
 			  "`viscous implicit` (Crank-Nicolson) and `backward` (Euler) are factored by axes\n"
 			  "and stable for any viscosity; they are of second and first order.\n\n"
 			  "Stability limits of the time step: with explicit viscosity dt <= 2/(nu sum "

@@ -110,8 +110,9 @@ struct ts_fluid {
 	int iterations;	   /* of the pressure solver in the last projection */
 	bool incremental; /* incremental projection: the predictor contains the old pressure gradient, and the
 			    * projection solves for the change of the pressure */
-	double body_force[3]; /* acceleration of all fluid, at this time (body_force of the style) */
-	int threads, grain;   /* of the simulation; 0: one thread */
+	double body_force
+		[3]; /* acceleration of all fluid: mean over this substep, or step (body_force of the style) */
+	int threads, grain; /* of the simulation; 0: one thread */
 	struct ts_fluid_outside {
 		size_t most;   /* largest number of particles outside the grid at once in this run */
 		int64_t steps; /* number of steps of the simulation with particles outside */

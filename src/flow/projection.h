@@ -54,6 +54,9 @@ struct ts_projection {
 	int64_t cells[3];
 	int64_t substeps; /* 0: chosen in each step by the limits */
 	struct ts_number body_force[3];
+	/* The body force at the last step of the fluid and at this one; fluid.body_force is interpolated between them. */
+	double force_before[3], force_now[3];
+	bool force_known;  /* force_before is that of the last step */
 	double *graded[3]; /* faces by flow_grid, from 0 to 1, n + 1 values; NULL: uniform. Owned */
 
 	/* Work fields, allocated as the schemes need them. */
@@ -61,6 +64,7 @@ struct ts_projection {
 	double *second_stage[3]; /* a second predictor, for schemes of several stages */
 	double *history[3];	 /* ab2: rate of change of u in the step before */
 	double history_dt;	 /* ab2: length of that step; 0: there is none */
+	double history_force[3]; /* ab2: the body force in that rate; NaN: not known */
 	bool read_by_formulas;	 /* in this run: of fixes or boundary conditions */
 	bool history_apart;	 /* ab2: each rank has the history of its own planes only */
 	double *increment;	 /* implicit viscosity: change of the pressure */
@@ -83,7 +87,9 @@ struct ts_projection {
 	double source_scale;  /* 1/source_steps, while sources are used */
 	int64_t done;	      /* number of substeps in this step */
 	int64_t now_at;	      /* index of the present substep, from 0 */
-	int64_t waited;	      /* steps of the simulation since the last step of the fluid */
+	int64_t waited;	      /* steps of the simulation since the last step of the fluid, */
+	double elapsed;	      /* the time over which they go, */
+	double waited_dt;     /* and their length; 0: they have several */
 	struct ts_operators operators;
 	struct ts_poisson poisson;
 	struct ts_slabs slabs;	      /* of ranks, in a step that they divide */

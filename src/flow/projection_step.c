@@ -1,5 +1,6 @@
 /* A time step of the fluid: substeps, their stages, and the fixes that take part. */
 #include <math.h>
+#include <string.h>
 
 #include "flow/boundary.h"
 #include "flow/flow_limits.h"
@@ -31,6 +32,14 @@ static struct ts_predictor make_predictor(const struct ts_projection *p, double 
 	for (int d = 0; d < 3; d++)
 		out.acceleration[d] = fluid->body_force[d];
 	return out;
+}
+
+/* A body force that varies acts as its mean over a substep, which keeps the second order. */
+static void interpolate_force(struct ts_projection *p, double fraction)
+{
+	for (int d = 0; d < 3; d++)
+		p->fluid.body_force[d] =
+			ts_flow_interpolate_time(p->force_before[d], p->force_now[d], fraction);
 }
 
 static void swap_fields(double *a[3], double *b[3])
@@ -120,7 +129,16 @@ static double limit_of_parts(const struct tsim *sim, const struct ts_fluid *flui
 
 /* ---- Adams-Bashforth */
 
-/* Changes the Euler step u + dt F to u + dt (F + (F - F_old) dt/(2 dt_old)); stores F. */
+/* Change of the body force since the step before. */
+static double change_of_force(const struct ts_projection *p, int d)
+{
+	double change = p->fluid.body_force[d] - p->history_force[d];
+
+	return isnan(change) ? 0 : change;
+}
+
+/* Changes the Euler step u + dt F to u + dt (F + (F - F_old) dt/(2 dt_old)); stores F. The body force is a mean over the step
+ * already and is not extrapolated. */
 static void add_adams_bashforth(struct ts_projection *p, double *const out[3], double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
@@ -130,16 +148,17 @@ static void add_adams_bashforth(struct ts_projection *p, double *const out[3], d
 	ts_fluid_slabs_values(fluid, &first, &end);
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		double *after = out[d], *rate = p->history[d];
-		const double *u = fluid->u[d];
+		const double *u = fluid->u[d], change = change_of_force(p, d);
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 		for (size_t k = first; k < end; k++) {
 			double now = (after[k] - u[k]) / dt;
 
-			after[k] += dt * more * (now - rate[k]);
+			after[k] += dt * more * (now - rate[k] - change);
 			rate[k] = now;
 		}
 	}
+	memcpy(p->history_force, fluid->body_force, sizeof p->history_force);
 	p->history_dt = dt;
 	p->history_apart = p->slabs.active;
 }
@@ -316,9 +335,11 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 	TS_TRY(ts_projection_choose_substeps(self, sim, length));
 	for (int64_t k = 0; k < p->done; k++) {
 		p->now_at = k;
+		interpolate_force(p, ((double)k + 0.5) / (double)p->done);
 		TS_TRY(ts_projection_substep(self, sim, length / (double)p->done, carry));
 		carry = initial_mean_weight(&ts_flow_time_schemes[p->time]);
 	}
+	interpolate_force(p, 0.5); /* for the forces on bodies, which are means over the step */
 	divide_exchange_means(p, (double)p->done);
 	if (ts_slab_step_spread(p, sim) != TS_OK)
 		return ts_nomem(&sim->error);

@@ -88,6 +88,61 @@ compute p all flow/probe 1.0 1.0 0
 print \"lid \$(c_p[1]:%.3f)\"" "lid $([ $update = step ] && echo 1.000 || echo 0.700)"
 done
 
+# ---- a body force that varies: that of a step is the mean of its ends, exact if it grows evenly, with each scheme
+plug='units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+timestep 0.01'
+while read -r scheme; do
+	agree "body_force that grows, time $scheme" "$plug
+variable g equal 2*time
+flow_style projection cells 4 4 4 viscosity 0.001 density 1 body_force v_g 0 0 time $scheme
+compute u all flow/probe 0.5 0.5 0.5 values vx
+run 2
+variable first equal \$(c_u[1]-time^2)
+run 8
+print \"is u \$(c_u[1]-v_first) 0.01\""
+done <<'END'
+euler
+ab2
+ab2 substeps 3
+ab2 viscous implicit
+rk2 every 2
+rk3
+END
+agree 'a fluid at rest under a weight that varies' 'units si
+boundary f p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+variable g equal -9.81*(1+0.5*sin(100*time))
+flow_style projection cells 6 4 6 viscosity 0.1 density 1 body_force 0 0 v_g time ab2
+flow_boundary xhi outlet hydrostatic yes
+flow_boundary zhi outlet
+timestep 1e-3
+run 20
+print "is cfl $(flow_cfl) 0 1"'
+
+# ---- `every`: the fluid makes up for the time of the steps for which it waited, whatever their lengths, and after a restart
+falls="flow_style projection cells 4 4 4 viscosity 0.1 density 1 every 5 body_force 1 0 0
+compute u all flow/probe 0.5 0.5 0.5 values vx"
+agree 'every, with a new timestep' "${plug/0.01/0.001}
+$falls
+run 8
+print \"is before \$(flow_time) 0.005\"
+timestep 0.01
+run 1
+write_restart waits
+run 1
+print \"is after \$(flow_time) 0.028\"
+print \"is u \$(c_u[1]) 0.028\""
+agree 'every, with a new timestep and a restart' "read_restart waits
+$falls
+timestep 0.01
+run 1
+print \"is after \$(flow_time) 0.028\"
+print \"is u \$(c_u[1]) 0.028\""
+
 # ---- the field set anew: nothing of the flow before is left
 prints "$fluid time ab2 viscous implicit
 flow_boundary yhi wall velocity 1 0 0
