@@ -45,8 +45,32 @@ static bool collide(const struct written *a, const struct written *b)
 	return a->by != b->by && ts_streq(a->path, b->path) && !(a->shared && b->shared);
 }
 
+/* The ending of XML files of VTK of which one is written for each frame: .vtp, .vti ...; NULL: the file is none. */
+static const char *ending_of_frames(const char *path)
+{
+	const char *dot = strrchr(path, '.');
+
+	return dot && strchr(path, '*') && strncmp(dot, ".vt", 3) == 0 && !ts_streq(dot, ".vtk") ? dot : NULL;
+}
+
+/* Frames NAME*.vti and NAME*.vtr are listed in the same collection, NAME.pvd (io/vtk.h). */
+static bool collections_collide(const struct written *a, const struct written *b)
+{
+	const char *end = ending_of_frames(a->path), *other = ending_of_frames(b->path);
+
+	return a->by != b->by && end && other && end - a->path == other - b->path &&
+	       strncmp(a->path, b->path, (size_t)(end - a->path)) == 0;
+}
+
 static enum ts_status refuse(struct tsim *sim, const struct written *file, const struct ts_instance *other)
 {
+	if (ending_of_frames(file->path))
+		return ts_fail(&sim->error, TS_STATE, &file->by->where,
+			       "%s %s lists its frames '%s' in a collection (.pvd), and %s %s (%s:%d) in the "
+			       "same one: each would destroy what the other has written; give them names "
+			       "that differ before the ending",
+			       ts_kind_name(file->by->style->kind), file->by->id, file->path,
+			       ts_kind_name(other->style->kind), other->id, TS_FILE_AND_LINE(other->where));
 	return ts_fail(&sim->error, TS_STATE, &file->by->where,
 		       "%s %s writes to '%s', and so does %s %s (%s:%d): each would destroy what the other "
 		       "has written; give them files of their own",
@@ -92,7 +116,8 @@ enum ts_status ts_written_files_check(struct tsim *sim)
 
 	for (size_t b = 1; b < files.n && status == TS_OK; b++)
 		for (size_t a = 0; a < b && status == TS_OK; a++)
-			if (collide(&files.item[a], &files.item[b])) {
+			if (collide(&files.item[a], &files.item[b]) ||
+			    collections_collide(&files.item[a], &files.item[b])) {
 				status = ts_sim_defer_error(sim,
 							    refuse(sim, &files.item[b], files.item[a].by));
 				break;

@@ -62,6 +62,16 @@ static enum ts_status refuse_invalid_words(struct tsim *sim, const struct state 
 	return TS_OK;
 }
 
+/* Whether a value on the face is a variable, which may depend on the coordinates. */
+static bool has_formula(const struct ts_flow_condition *condition)
+{
+	bool some = condition->pressure.variable;
+
+	for (int d = 0; d < 3; d++)
+		some |= condition->velocity[d].variable != NULL;
+	return some;
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
@@ -87,6 +97,11 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		    !(condition.pressure.variable = ts_arena_strdup(&flow->arena, s->pressure.variable)))
 			return ts_nomem(&sim->error);
 	}
+	if (s->set.n && !has_formula(&condition))
+		return ts_fail(&sim->error, TS_SYNTAX, &s->set.word[0].place,
+			       "flow_boundary: set %s: all values of the face are numbers, which do not "
+			       "depend on coordinates; give velocity or pressure as v_NAME, or leave out set",
+			       s->set.word[0].text);
 	TS_TRY(ts_flow_read_set(sim, "flow_boundary: set", s->set, where, &flow->arena, condition.set));
 	for (int face = 0; face < NFACES; face++) {
 		bool flat = s->face == NFACES && projection->fluid.grid.periodic[face / 2];

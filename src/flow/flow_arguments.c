@@ -57,6 +57,7 @@ static const struct ts_arg setting_rows[] = {
 enum ts_status ts_flow_read_set(struct tsim *sim, const char *what, struct ts_words words,
 				const struct ts_place *where, struct ts_arena *arena, const char *out[3])
 {
+	out[0] = out[1] = out[2] = NULL;
 	for (size_t k = 0; k < words.n; k += 2) {
 		struct ts_words pair = ts_words_from(words, k);
 		struct setting one = { 0 };
@@ -64,6 +65,13 @@ enum ts_status ts_flow_read_set(struct tsim *sim, const char *what, struct ts_wo
 		if (pair.n > 2)
 			pair.n = 2;
 		TS_TRY(ts_args_parse(sim, what, setting_rows, pair, where, arena, &one));
+		for (int d = 0; d < 3; d++)
+			if (out[d] && (d == one.dim || ts_streq(out[d], one.name)))
+				return ts_fail(&sim->error, TS_SYNTAX, &pair.word[0].place,
+					       "%s %s %s: %s; give each coordinate one variable of its own",
+					       what, ts_axis_names[one.dim], one.name,
+					       d == one.dim ? "this coordinate has one already"
+							    : "this variable has another coordinate already");
 		out[one.dim] = one.name;
 	}
 	return TS_OK;

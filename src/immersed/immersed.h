@@ -129,7 +129,7 @@ static inline double ts_immersed_weight(const struct ts_fluid *fluid, int axis)
 }
 
 /* ---- immersed_resolution.c
- * Refuses a part that is fewer than `least` cells across; `spheres`: parts are particles. */
+ * Refuses a part that is fewer than `least` cells across; `spheres`: parts are particles, which are no cylinders. */
 enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *where,
 				      const struct ts_solid *solid, const struct ts_grid *grid, bool spheres,
 				      double least);

@@ -64,6 +64,19 @@ rejects 'include fluid
 flow_boundary xlo inlet velocity -1 0 0
 flow_boundary xhi inlet velocity -3 0 0
 run 1' ':3:1: error: the fluid cannot leave'
+# coordinates that nothing would use, or two in one variable
+rejects 'include fluid
+variable yy internal 0
+flow_boundary xlo inlet velocity 1 0 0 set y yy' 'all values of the face are numbers'
+rejects 'include fluid
+variable yy internal 0
+variable u equal v_yy
+flow_boundary xlo inlet velocity v_u 0 0 set y yy set z yy' 'this variable has another coordinate already'
+rejects 'include fluid
+variable yy internal 0
+variable zz internal 0
+variable u equal v_yy
+flow_boundary xlo inlet velocity v_u 0 0 set y yy set y zz' 'this coordinate has one already'
 # what flows in flows out again
 prints 'include fluid
 flow_boundary xlo inlet velocity 1 0 0

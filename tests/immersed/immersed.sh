@@ -488,6 +488,18 @@ read -r _ inner outer exact < <(grep '^T ' out)
 near 'torque on the cylinder that turns, viscous implicit' "$inner" "-$exact" 0.03
 near 'what one loses the other gets, viscous implicit' "$outer" "${inner#-}" 2e-3
 
+rejects 'units si
+atom_style sphere
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+set group all diameter 0.4 density 2
+flow_style projection cells 16 16 1 viscosity 0.1 density 1
+fix b all immersed/boundary spheres
+timestep 1e-3
+run 1' 'in a grid of one cell along z would be cylinders'
+
 # warns WHAT REGION TEXT
 warns() {
 	printf '%s\nregion b %s units box\nfix b all immersed/boundary region b min_cells 0\ntimestep 1e-4\nrun 1\n' "$scene" "$2" >in.script

@@ -218,6 +218,11 @@ $lines
 run 100" "writes to 'one', and so does"
 	refused 'one file of two styles, -check' "writes to 'one', and so does" -check -in in.script
 done
+# frames of two dumps, one collection
+stops 'one collection of two dumps' "$balls
+dump a all custom/vtk 10 frames*.vtp id
+dump b all custom/vtk 20 ./frames*.vtu id
+run 100" "dump b lists its frames 'frames*.vtu' in a collection (.pvd), and dump a"
 printf '%s\n' "$balls" 'fix a all print 10 "a $(step)" append one screen no' 'fix b all print 10 "b $(step)" append one screen no' \
 	'dump c all custom 10 /dev/null id' 'dump d all custom 10 /dev/null id' 'run 20' >in.shared
 rm -f one
