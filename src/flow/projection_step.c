@@ -137,28 +137,42 @@ static double change_of_force(const struct ts_projection *p, int d)
 	return isnan(change) ? 0 : change;
 }
 
-/* Changes the Euler step u + dt F to u + dt (F + (F - F_old) dt/(2 dt_old)); stores F. The body force is a mean over the step
- * already and is not extrapolated. */
+/* In a row of faces, at index `at`, from i = 0 on. */
+static void extrapolate_row(struct ts_projection *p, double *const out[3], int d, size_t at, int from, int to,
+			    double dt)
+{
+	const double more = p->history_dt > 0 ? 0.5 * dt / p->history_dt : 0, change = change_of_force(p, d);
+	double *after = out[d] + at, *rate = p->history[d] + at;
+	const double *u = p->fluid.u[d] + at;
+
+	for (int i = from; i < to; i++) {
+		double now = (after[i] - u[i]) / dt;
+
+		after[i] += dt * more * (now - rate[i] - change);
+		rate[i] = now;
+	}
+}
+
+/* Changes the Euler step u + dt F to u + dt (F + (F - F_old) dt/(2 dt_old)), where it has been made; stores F. The body force
+ * is a mean over the step already and is not extrapolated. */
 static void add_adams_bashforth(struct ts_projection *p, double *const out[3], double dt)
 {
-	const struct ts_fluid *fluid = &p->fluid;
-	const double more = p->history_dt > 0 ? 0.5 * dt / p->history_dt : 0;
-	size_t first, end;
+	const struct ts_grid *grid = &p->fluid.grid;
+	int from[3][3], to[3][3], height = grid->n[1] + 1;
+	long first, end;
 
-	ts_fluid_slabs_values(fluid, &first, &end);
-	for (int d = 0; d < fluid->grid.dimensions; d++) {
-		double *after = out[d], *rate = p->history[d];
-		const double *u = fluid->u[d], change = change_of_force(p, d);
-
+	for (int d = 0; d < grid->dimensions; d++)
+		ts_flow_unknowns(&p->fluid, d, from[d], to[d]);
+	ts_slabs_rows(&p->slabs, grid->n[2], height, grid->dimensions == 3, &first, &end);
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-		for (size_t k = first; k < end; k++) {
-			double now = (after[k] - u[k]) / dt;
+	for (long line = first; line < end; line++) {
+		int j = (int)(line % height), k = (int)(line / height);
 
-			after[k] += dt * more * (now - rate[k] - change);
-			rate[k] = now;
-		}
+		for (int d = 0; d < grid->dimensions; d++)
+			if (j >= from[d][1] && j < to[d][1] && k >= from[d][2] && k < to[d][2])
+				extrapolate_row(p, out, d, ts_at(grid, 0, j, k), from[d][0], to[d][0], dt);
 	}
-	memcpy(p->history_force, fluid->body_force, sizeof p->history_force);
+	memcpy(p->history_force, p->fluid.body_force, sizeof p->history_force);
 	p->history_dt = dt;
 	p->history_apart = p->slabs.active;
 }
