@@ -139,7 +139,7 @@ report 'a sheared box runs' $? out
 read_it 'its vectors' 'e = group("sheared.h5")["box/edges/value"][-1]
 same("edges", np.round(e, 12), [[2, 0, 0], [0.1, 1, 0], [0, 0, 1]])' 1
 
-# killed: frames up to then, and the next run goes on
+# killed: frames up to then, but one if it is killed while it writes it; and the next run goes on
 { cat model start rest; echo 'dump d all h5md 10 killed.h5 position'; echo 'run 100000000'; } >in.killed
 "$TSIM" -in in.killed -log none -screen none &
 process=$!
@@ -150,7 +150,7 @@ wait $process 2>/dev/null
 read_it 'a killed run leaves a readable file' '
 g = group("killed.h5"); n = len(g["position/step"])
 same("steps", g["position/step"][:], [10 * k for k in range(n)])
-print("frames", "same" if n > 1 and g["position/value"].shape[0] == n else "different %d" % n)' 2
+print("frames", "same" if n > 1 and abs(g["position/value"].shape[0] - n) <= 1 else "different %d" % n)' 2
 
 # a full disk
 small() { # PROGRAM ARGUMENTS: files may have 1 MB
