@@ -318,7 +318,8 @@ const struct ts_style ts_dump_h5md = {
 	.names = ts_dump_names,
 	.summary = "Trajectories of particles in an HDF5 file (H5MD)",
 	.doc = "Appends frames to a file in the format H5MD 1.1 (de Buyl, Colberg and Hoefling 2014, Comput. "
-	       "Phys. Commun. 185, 1546; nongnu.org/h5md), which Python (h5py), MATLAB, VMD and others read:\n\n"
+	       "Phys. Commun. 185, 1546; nongnu.org/h5md), which Python (h5py), MATLAB, VMD and others "
+	       "read:\n\n"
 	       "  /particles/GROUP/box         edges, offset (the lower corner); attributes dimension, "
 	       "boundary\n"
 	       "  /particles/GROUP/NAME/value  [frame][particle], of vectors [frame][particle][3]\n"
@@ -331,7 +332,8 @@ const struct ts_style ts_dump_h5md = {
 	       "complete or missing: a run that is interrupted or fills the disk leaves a file with all "
 	       "previous frames; if it is killed (SIGKILL) while it writes a frame, one quantity may have "
 	       "that frame and another not. A run that is continued from a restart file appends to the file; "
-	       "frames of the present step and later ones, which the interrupted run has left, are replaced.\n\n"
+	       "frames of the present step and later ones, which the interrupted run has left, are "
+	       "replaced.\n\n"
 	       "tsim must have been built with the HDF5 library (libhdf5-dev).",
 	.example = "dump track all h5md 1000 post/rock.h5 position velocity every 10 image species radius\n"
 		   "dump dust fines h5md 1000 post/rock.h5 position file_from track author \"A. Miller\"",
