@@ -33,18 +33,17 @@
 	{                                                           \
 		"fix particletemplate/multisphere", word_, remark_  \
 	}
-#define PAIRS(word_)                                                                                        \
-	{                                                                                                   \
-		"compute pair/local", word_,                                                                \
-			"compute pair/gran/local gives normal and tangential forces, torques, overlap and " \
-			"history of a "                                                                     \
-			"contact"                                                                           \
+#define PAIRS(word_)                                                                                    \
+	{                                                                                               \
+		"compute pair/local", word_,                                                            \
+			"compute pair/gran/local gives normal and tangential forces, torques, overlap " \
+			"and history of a contact"                                                      \
 	}
-#define BONDS(word_)                                                                                       \
-	{                                                                                                  \
-		"compute property/local", word_,                                                           \
-			"compute bond/local gives lengths, forces, torques and stresses of bonds, in the " \
-			"same order"                                                                       \
+#define BONDS(word_)                                                                                   \
+	{                                                                                              \
+		"compute property/local", word_,                                                       \
+			"compute bond/local gives lengths, forces, torques and stresses of bonds, in " \
+			"the same order"                                                               \
 	}
 #define BRIDGES "use easo/capillary/viscous or washino/capillary/viscous"
 

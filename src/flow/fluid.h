@@ -110,8 +110,8 @@ struct ts_fluid {
 	int iterations;	   /* of the pressure solver in the last projection */
 	bool incremental; /* incremental projection: the predictor contains the old pressure gradient, and the
 			    * projection solves for the change of the pressure */
-	double body_force
-		[3]; /* acceleration of all fluid: mean over this substep, or step (body_force of the style) */
+	/* acceleration of all fluid: mean over this substep, or step (body_force of the style) */
+	double body_force[3];
 	int threads, grain; /* of the simulation; 0: one thread */
 	struct ts_fluid_outside {
 		size_t most;   /* largest number of particles outside the grid at once in this run */

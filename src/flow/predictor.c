@@ -243,28 +243,46 @@ static row_fn *const conservative_rows[TS_NCONVECTION][2][3] = {
 /* Central differences are those of the donor cell with gamma 0. */
 static row_fn *const difference_rows[2][2][3] = ENTRIES(difference);
 
-void ts_flow_predict(const struct ts_predictor *p)
+void ts_flow_visit_rows(const struct ts_fluid *fluid, const struct ts_slabs *slabs, int threads,
+			ts_flow_row_fn *visit, void *context)
 {
-	const struct ts_grid *grid = &p->fluid->grid;
-	bool with_void = p->fluid->void_fraction, solid = grid->dimensions == 3;
-	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE ? difference_rows[with_void][solid]
-				: p->next[0]		      ? conservative_rows[p->convection][solid]
-							      : volume_rows[p->convection][with_void][solid];
+	const struct ts_grid *grid = &fluid->grid;
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
 	long first, end;
 
 	for (int c = 0; c < grid->dimensions; c++)
-		ts_flow_unknowns(p->fluid, c, from[c], to[c]);
-	ts_slabs_rows(p->slabs, grid->n[2], height, grid->dimensions == 3, &first, &end);
-#pragma omp parallel for num_threads(p->threads) schedule(static)
+		ts_flow_unknowns(fluid, c, from[c], to[c]);
+	ts_slabs_rows(slabs, grid->n[2], height, grid->dimensions == 3, &first, &end);
+#pragma omp parallel for num_threads(threads) schedule(static)
 	for (long line = first; line < end; line++) {
 		int j = (int)(line % height), k = (int)(line / height);
 
-		for (int c = 0; c < grid->dimensions; c++) {
-			struct row row = { p, j, k, from[c][0], to[c][0], (ptrdiff_t)ts_at(grid, 0, j, k) };
-
+		for (int c = 0; c < grid->dimensions; c++)
 			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
-				row_of[c](&row);
-		}
+				visit(context, c, j, k, from[c][0], to[c][0]);
 	}
+}
+
+struct prediction {
+	const struct ts_predictor *predictor;
+	row_fn *const *row_of; /* [component] */
+};
+
+static void predict_at(void *context, int c, int j, int k, int from, int to)
+{
+	const struct prediction *task = context;
+	const struct ts_predictor *p = task->predictor;
+	struct row row = { p, j, k, from, to, (ptrdiff_t)ts_at(&p->fluid->grid, 0, j, k) };
+
+	task->row_of[c](&row);
+}
+
+void ts_flow_predict(const struct ts_predictor *p)
+{
+	bool with_void = p->fluid->void_fraction, solid = p->fluid->grid.dimensions == 3;
+	struct prediction task = { p, p->form == TS_FORM_DIFFERENCE ? difference_rows[with_void][solid]
+				      : p->next[0]		    ? conservative_rows[p->convection][solid]
+						   : volume_rows[p->convection][with_void][solid] };
+
+	ts_flow_visit_rows(p->fluid, p->slabs, p->threads, predict_at, &task);
 }

@@ -30,4 +30,10 @@ void ts_flow_predict(const struct ts_predictor *predictor);
 /* The faces of component c at which the momentum equation is solved: from[d] <= index < to[d]. */
 void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3]);
 
+/* Such faces of component c in the row j, k: from <= i < to. */
+typedef void ts_flow_row_fn(void *context, int c, int j, int k, int from, int to);
+/* Visits all rows of this rank; several threads at once. */
+void ts_flow_visit_rows(const struct ts_fluid *fluid, const struct ts_slabs *slabs, int threads,
+			ts_flow_row_fn *visit, void *context);
+
 #endif

@@ -137,13 +137,20 @@ static double change_of_force(const struct ts_projection *p, int d)
 	return isnan(change) ? 0 : change;
 }
 
-/* In a row of faces, at index `at`, from i = 0 on. */
-static void extrapolate_row(struct ts_projection *p, double *const out[3], int d, size_t at, int from, int to,
-			    double dt)
+struct extrapolation {
+	struct ts_projection *projection;
+	double *const *out; /* [component] */
+	double dt;
+};
+
+static void extrapolate_row(void *context, int c, int j, int k, int from, int to)
 {
-	const double more = p->history_dt > 0 ? 0.5 * dt / p->history_dt : 0, change = change_of_force(p, d);
-	double *after = out[d] + at, *rate = p->history[d] + at;
-	const double *u = p->fluid.u[d] + at;
+	const struct extrapolation *task = context;
+	struct ts_projection *p = task->projection;
+	const size_t at = ts_at(&p->fluid.grid, 0, j, k);
+	const double dt = task->dt, more = p->history_dt > 0 ? 0.5 * dt / p->history_dt : 0;
+	const double change = change_of_force(p, c), *u = p->fluid.u[c] + at;
+	double *after = task->out[c] + at, *rate = p->history[c] + at;
 
 	for (int i = from; i < to; i++) {
 		double now = (after[i] - u[i]) / dt;
@@ -157,21 +164,9 @@ static void extrapolate_row(struct ts_projection *p, double *const out[3], int d
  * is a mean over the step already and is not extrapolated. */
 static void add_adams_bashforth(struct ts_projection *p, double *const out[3], double dt)
 {
-	const struct ts_grid *grid = &p->fluid.grid;
-	int from[3][3], to[3][3], height = grid->n[1] + 1;
-	long first, end;
+	struct extrapolation task = { p, out, dt };
 
-	for (int d = 0; d < grid->dimensions; d++)
-		ts_flow_unknowns(&p->fluid, d, from[d], to[d]);
-	ts_slabs_rows(&p->slabs, grid->n[2], height, grid->dimensions == 3, &first, &end);
-#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = first; line < end; line++) {
-		int j = (int)(line % height), k = (int)(line / height);
-
-		for (int d = 0; d < grid->dimensions; d++)
-			if (j >= from[d][1] && j < to[d][1] && k >= from[d][2] && k < to[d][2])
-				extrapolate_row(p, out, d, ts_at(grid, 0, j, k), from[d][0], to[d][0], dt);
-	}
+	ts_flow_visit_rows(&p->fluid, &p->slabs, p->poisson.threads, extrapolate_row, &task);
 	memcpy(p->history_force, p->fluid.body_force, sizeof p->history_force);
 	p->history_dt = dt;
 	p->history_apart = p->slabs.active;

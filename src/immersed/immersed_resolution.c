@@ -48,8 +48,7 @@ enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *w
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "fix immersed/boundary: spheres in a grid of one cell along z would be "
 			       "cylinders as long as the box: use `dimension 2`, with forces per depth, or "
-			       "more cells "
-			       "along z in flow_style");
+			       "more cells along z in flow_style");
 	for (size_t part = 0; part < solid->parts; part++) {
 		char what[64] = "the body";
 		double lo[3], hi[3], cells;

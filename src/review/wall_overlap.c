@@ -24,28 +24,6 @@ static void make_wall_touch(const struct tsim *sim, size_t i, double distance,
 	ts_granular_arms(model, t);
 }
 
-/* Smallest distance between wall and particle over the contacts of one particle, of which contact k is the
- * first; *next: first contact of the next particle. Returns the index of the particle. */
-static size_t deepest_contact(const struct ts_wall *w, const struct tsim *sim, size_t k, size_t *next,
-			      double *distance, int *type)
-{
-	const struct ts_wall_contacts *c = &w->contacts;
-	size_t first = k;
-
-	*distance = INFINITY;
-	for (; k < c->n && c->row[k] == c->row[first]; k++) {
-		int of;
-		double d = w->shape->distance(w, sim, k, &of);
-
-		if (d < *distance) {
-			*distance = d;
-			*type = of;
-		}
-	}
-	*next = k;
-	return (size_t)c->row[first];
-}
-
 static enum ts_status report_overlaps(struct tsim *sim, const struct ts_instance *by,
 				      const struct ts_review_overlaps *o)
 {
@@ -70,7 +48,7 @@ static enum ts_status check_wall(struct tsim *sim, const struct ts_instance *by,
 	for (size_t k = 0; k < w->contacts.n;) {
 		int type = 1;
 		double distance;
-		size_t i = deepest_contact(w, sim, k, &k, &distance, &type);
+		size_t i = ts_wall_deepest_contact(w, sim, k, &k, &distance, &type);
 		struct ts_touch t;
 
 		if (!(distance < (1 - ts_review_depth) * p->radius[i]) || p->tag[i] <= p->max_run_tag ||

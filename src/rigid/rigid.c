@@ -244,6 +244,22 @@ bool ts_rigid_in_group(const struct ts_rigid *r, const struct ts_particles *p, s
 	return within;
 }
 
+size_t ts_rigid_members_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group)
+{
+	size_t n = 0;
+
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+		n += ts_in_group(p, (size_t)r->member[k], group);
+	return n;
+}
+
+bool ts_rigid_all_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group)
+{
+	const size_t n = r->start[b + 1] - r->start[b];
+
+	return n && ts_rigid_members_in_group(r, p, b, group) == n;
+}
+
 /* The mass of a clump is not that of its spheres, which overlap: the force acts on it as a whole. Else each member gets its
  * weight, as in LAMMPS, so that fixes that change the forces on members change this one, too. */
 static void accelerate_body(struct ts_rigid *r, struct ts_particles *p, size_t b, const double a[3])

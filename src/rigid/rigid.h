@@ -127,6 +127,10 @@ double ts_rigid_material_density(const struct tsim *sim, size_t i);
 
 /* Whether body b has a member in the group. The members must be listed. */
 bool ts_rigid_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group);
+/* Number of its members in the group. */
+size_t ts_rigid_members_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group);
+/* Whether it has members, and all are in the group. */
+bool ts_rigid_all_in_group(const struct ts_rigid *r, const struct ts_particles *p, size_t b, int group);
 /* Adds the force of an acceleration to all bodies with a member in the group; all deferred loops are done then, unless all
  * bodies are clumps. */
 enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3]);

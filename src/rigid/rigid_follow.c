@@ -68,22 +68,15 @@ static void velocity_at_centre(const struct ts_body *members, struct ts_body *bo
  * however the spheres rotate. */
 static enum ts_status take_velocities(struct tsim *sim, struct ts_body *body, struct members m)
 {
-	struct ts_particles *p = sim->particles;
 	struct ts_body spheres, points;
-	double arm[3];
 
 	TS_TRY(ts_rigid_of_spheres(sim, m.row, m.n, &spheres));
-	TS_TRY(ts_rigid_of_points(sim, m.row, m.n, &points));
 	memcpy(body->omega, spheres.omega, sizeof body->omega);
+	if (body->kind > 0)
+		TS_TRY(ts_rigid_of_points(sim, m.row, m.n, &points));
 	velocity_at_centre(body->kind > 0 ? &points : &spheres, body);
 	ts_rigid_angular_momentum(body->q, body->inertia, body->omega, body->spin);
-	for (size_t k = 0; k < m.n; k++) {
-		size_t i = (size_t)m.row[k];
-
-		arm_of(sim, body, i, arm);
-		velocity_of(body, arm, p->v[i]);
-		memcpy(p->omega[i], body->omega, sizeof body->omega);
-	}
+	ts_rigid_set_velocities(sim, body, m.row, m.n);
 	return TS_OK;
 }
 
@@ -110,21 +103,13 @@ enum ts_status ts_rigid_take_velocities(struct tsim *sim)
 	return TS_OK;
 }
 
-static bool all_in_group(const struct tsim *sim, struct members m, int group)
-{
-	for (size_t k = 0; k < m.n; k++)
-		if (!ts_in_group(sim->particles, (size_t)m.row[k], group))
-			return false;
-	return true;
-}
-
 enum ts_status ts_rigid_take_clump_velocities(struct tsim *sim, int group)
 {
 	const struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_rigid_list(sim));
 	for (size_t b = 0; b < r->n; b++)
-		if (r->body[b].kind > 0 && all_in_group(sim, members_of(r, b), group))
+		if (r->body[b].kind > 0 && ts_rigid_all_in_group(r, sim->particles, b, group))
 			TS_TRY(take_changed_velocities(sim, b));
 	return TS_OK;
 }

@@ -8,15 +8,14 @@
 
 #include "base/banned.h"
 
-/* Sets position and velocity of member i; arm: its vector from the centre of mass, in space. */
-static void move_member(struct tsim *sim, const struct ts_body *b, size_t i, const double arm[3])
+/* Sets the velocities of member i; arm: its vector from the centre of mass, in space. */
+static void set_velocities(struct tsim *sim, const struct ts_body *b, size_t i, const double arm[3])
 {
 	struct ts_particles *p = sim->particles;
 	double rotational[3];
 
 	ts_cross(b->omega, arm, rotational);
 	for (int k = 0; k < 3; k++) {
-		p->x[i][k] = b->x[k] + arm[k] - p->image[i][k] * ts_box_length(&sim->domain->box, k);
 		p->v[i][k] = b->v[k] + rotational[k];
 		p->omega[i][k] = b->omega[k];
 	}
@@ -41,12 +40,29 @@ void ts_rigid_attach(struct tsim *sim, const struct ts_body *body, int32_t id, c
 
 void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n)
 {
+	struct ts_particles *p = sim->particles;
+	double m[3][3], arm[3];
+
+	ts_quaternion_matrix(body->q, m);
+	for (size_t k = 0; k < n; k++) {
+		size_t i = (size_t)row[k];
+
+		ts_rotate(m, p->body_x[i], arm);
+		for (int d = 0; d < 3; d++)
+			p->x[i][d] =
+				body->x[d] + arm[d] - p->image[i][d] * ts_box_length(&sim->domain->box, d);
+		set_velocities(sim, body, i, arm);
+	}
+}
+
+void ts_rigid_set_velocities(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n)
+{
 	double m[3][3], arm[3];
 
 	ts_quaternion_matrix(body->q, m);
 	for (size_t k = 0; k < n; k++) {
 		ts_rotate(m, sim->particles->body_x[row[k]], arm);
-		move_member(sim, body, (size_t)row[k], arm);
+		set_velocities(sim, body, (size_t)row[k], arm);
 	}
 }
 

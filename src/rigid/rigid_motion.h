@@ -18,6 +18,9 @@ void ts_rigid_attach(struct tsim *sim, const struct ts_body *body, int32_t id, c
 /* Computes positions and velocities of the members row[] from those of the body. */
 void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n);
 
+/* Computes their velocities only. */
+void ts_rigid_set_velocities(struct tsim *sim, const struct ts_body *body, const int32_t *row, size_t n);
+
 /* Leaves the force and the torque that accelerate the body: those in its free directions. */
 void ts_body_hold(struct ts_body *body);
 

@@ -431,6 +431,26 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct t
 	return TS_OK;
 }
 
+size_t ts_wall_deepest_contact(const struct ts_wall *w, const struct tsim *sim, size_t k, size_t *next,
+			       double *distance, int *type)
+{
+	const struct ts_wall_contacts *c = &w->contacts;
+	size_t first = k;
+
+	*distance = INFINITY;
+	for (; k < c->n && c->row[k] == c->row[first]; k++) {
+		int of;
+		double d = w->shape->distance(w, sim, k, &of);
+
+		if (d < *distance) {
+			*distance = d;
+			*type = of;
+		}
+	}
+	*next = k;
+	return (size_t)c->row[first];
+}
+
 bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out)
 {
 	const struct ts_wall_last_contact *last = &w->contacts.last[k];

@@ -203,6 +203,11 @@ enum ts_status ts_wall_join(struct ts_instance *self, struct tsim *sim);
  * step of the contacts. */
 enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 
+/* Smallest distance between wall and particle over the contacts of one particle, of which contact k is the first; *type: of the
+ * surface there; *next: first contact of the next particle. Returns the index of the particle. */
+size_t ts_wall_deepest_contact(const struct ts_wall *w, const struct tsim *sim, size_t k, size_t *next,
+			       double *distance, int *type);
+
 /* The law, masses and radii of contact k in the last force evaluation; false: it did not touch, or the
  * particle is immobile. */
 struct ts_contact_case;

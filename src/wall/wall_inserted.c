@@ -39,20 +39,21 @@ static void take(struct found *f, const struct ts_particles *p, size_t i, double
 		memcpy(f->fact, fact, sizeof fact);
 }
 
-/* Contacts of one particle are consecutive: the nearest counts. */
 static void find(const struct ts_wall *w, const struct tsim *sim, struct found *f)
 {
 	const struct ts_wall_contacts *c = &w->contacts;
 	const struct ts_particles *p = sim->particles;
 
-	for (size_t k = 0, first = 0; k < c->n; first = k) {
-		const size_t i = (size_t)c->row[first];
-		double distance = INFINITY;
+	for (size_t k = 0; k < c->n;) {
+		double distance;
+		size_t i;
 		int type;
 
-		for (; k < c->n && c->row[k] == c->row[first]; k++)
-			if (p->tag[i] > w->newest)
-				distance = fmin(distance, w->shape->distance(w, sim, k, &type));
+		if (p->tag[c->row[k]] <= w->newest) {
+			k++;
+			continue;
+		}
+		i = ts_wall_deepest_contact(w, sim, k, &k, &distance, &type);
 		if (p->imass[i] > 0)
 			take(f, p, i, distance);
 	}
@@ -94,10 +95,8 @@ enum ts_status ts_wall_look_at_inserted(struct ts_instance *self, struct tsim *s
 				"particles that were inserted in step %" PRId64
 				" overlap this wall by more than %g %% of their radius: %" PRId64
 				"; the largest overlap is %g (%.3g %%), of particle %.0f at (%g %g %g); the "
-				"contact force "
-				"accelerates them; insert them at least a radius from the wall (all_in yes "
-				"keeps the whole "
-				"particle in the region)",
+				"contact force accelerates them; insert them at least a radius from the wall "
+				"(all_in yes keeps the whole particle in the region)",
 				sim->clock.step, 100 * ts_review_depth, f.n, f.fact[OVERLAP],
 				100 * f.fact[DEPTH], -f.fact[TAG], x[0], x[1], x[2]);
 }
