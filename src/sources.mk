@@ -1420,6 +1420,8 @@ library_sources = \
 	src/rigid/compute_multisphere.c \
 	src/rigid/fix_multisphere.c \
 	src/rigid/fix_rigid.c \
+	src/rigid/mass_moments.c \
+	src/rigid/mass_moments.h \
 	src/rigid/rigid.c \
 	src/rigid/rigid.h \
 	src/rigid/rigid_batch.c \

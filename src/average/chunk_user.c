@@ -1,7 +1,6 @@
 #include "average/chunk_user.h"
 
-#include "math/vec3.h"
-#include "particle/group_moments.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -64,9 +63,7 @@ enum ts_status ts_chunk_user_assign(const struct ts_instance *self, struct ts_ch
 static void mass_moment(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
 	(void)chunk, (void)context;
-	ts_unwrapped(sim, i, term);
-	ts_scale(sim->particles->mass[i], term, term);
-	term[3] = sim->particles->mass[i];
+	ts_mass_moment(sim, i, term);
 }
 
 enum ts_status ts_chunk_centres(const struct ts_instance *self, const struct ts_chunks *chunks,
@@ -92,10 +89,9 @@ enum ts_status ts_chunk_moments(const struct ts_instance *self, size_t width, ts
 	return ts_chunk_sum(*chunks, self->group, width, term, &user->centre, out);
 }
 
-void ts_chunk_arm(const struct tsim *sim, size_t i, size_t chunk, const void *context, double d[3])
+const double *ts_chunk_centre(const void *context, size_t chunk)
 {
 	const struct ts_table *centre = context;
 
-	ts_unwrapped(sim, i, d);
-	ts_sub(d, centre->data + 4 * (chunk - 1), d);
+	return centre->data + 4 * (chunk - 1);
 }

@@ -15,6 +15,9 @@ struct ts_chunk_user {
 	TS_WORD("chunkID", T, user.id, .flags = TS_POSITIONAL | TS_STATEFUL, \
 		.help = "ID of the compute chunk/atom")
 
+#define TS_CHUNK_OF_CLUMPS \
+	"A clump (fix multisphere) counts as a body: each of its spheres in the chunk adds its share of it."
+
 /* Slots of struct ts_style. */
 enum ts_status ts_chunk_user_init(struct ts_instance *self, struct tsim *sim);
 void ts_chunk_user_fini(struct ts_instance *self);
@@ -31,8 +34,8 @@ enum ts_status ts_chunk_centres(const struct ts_instance *self, const struct ts_
  * numbers by ts_chunk_sum; `context` of `term` is the table of centres. */
 enum ts_status ts_chunk_moments(const struct ts_instance *self, size_t width, ts_chunk_term *term,
 				struct ts_chunks **chunks, struct ts_table *out);
-/* Vector from the centre of mass of the chunk to particle i, unwrapped; for a `term` of ts_chunk_moments. */
-void ts_chunk_arm(const struct tsim *sim, size_t i, size_t chunk, const void *context, double d[3]);
+/* Centre of mass of the chunk, for a `term` of ts_chunk_moments. */
+const double *ts_chunk_centre(const void *context, size_t chunk);
 
 /* *keeps: whether an evaluation of this input determines its chunks, or which particles they have, for good (`nchunk once`,
  * `ids once`). */

@@ -2,8 +2,7 @@
 #include "average/chunk_user.h"
 
 #include "base/axes.h"
-#include "math/vec3.h"
-#include "particle/particles.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -15,11 +14,7 @@ struct state {
 static void angular_momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context,
 			     double *term)
 {
-	double d[3];
-
-	ts_chunk_arm(sim, i, chunk, context, d);
-	ts_cross(d, sim->particles->v[i], term);
-	ts_scale(sim->particles->mass[i], term, term);
+	ts_mass_angular_momentum(sim, i, ts_chunk_centre(context, chunk), term);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -53,7 +48,8 @@ const struct ts_style ts_compute_angmom_chunk = {
 	       "    L = sum m d x v\n\n"
 	       "with d the vector from the centre of mass of the chunk, from positions without periodic "
 	       "wrapping. The spin of the particles themselves is not included. c_ID[i][1], c_ID[i][2], "
-	       "c_ID[i][3] are the components for chunk i. See also compute omega/chunk, inertia/chunk.",
+	       "c_ID[i][3] are the components for chunk i. " TS_CHUNK_OF_CLUMPS
+	       " See also compute omega/chunk, inertia/chunk.",
 	.example = "compute l all angmom/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -42,7 +42,7 @@ const struct ts_style ts_compute_com_chunk = {
 	.summary = "Center of mass of each chunk",
 	.doc = "Calculates the centre of mass of the particles of the group in each chunk of compute "
 	       "chunk/atom, from positions without periodic wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] are "
-	       "the coordinates for chunk i; a chunk without particles has 0.",
+	       "the coordinates for chunk i; a chunk without particles has 0. " TS_CHUNK_OF_CLUMPS,
 	.example = "compute c all com/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "particle/group_moments.h"
-#include "particle/particles.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -15,11 +15,7 @@ struct state {
 
 static void second_moment(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
-	double d[3];
-
-	ts_chunk_arm(sim, i, chunk, context, d);
-	for (int k = 0; k < 6; k++)
-		term[k] = sim->particles->mass[i] * d[ts_tensor_row[k]] * d[ts_tensor_column[k]];
+	ts_mass_second_moment(sim, i, ts_chunk_centre(context, chunk), term);
 }
 
 static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)

@@ -1,8 +1,7 @@
 /* Compute: tensor of inertia of each chunk. */
 #include "average/chunk_user.h"
 
-#include "math/vec3.h"
-#include "particle/particles.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -11,20 +10,16 @@ struct state {
 };
 
 /* Order of components as in compute inertia/chunk of LAMMPS: yz before xz. */
-static const int first[6] = { 0, 1, 2, 0, 1, 0 }, second[6] = { 0, 1, 2, 1, 2, 2 };
 static const char *const names[] = { "xx", "yy", "zz", "xy", "yz", "xz", NULL };
 
-/* sum m (d^2 delta_ab - d_a d_b) */
 static void inertia(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
-	double d[3], m = sim->particles->mass[i];
+	double xz;
 
-	ts_chunk_arm(sim, i, chunk, context, d);
-	for (int k = 0; k < 6; k++) {
-		int a = first[k], b = second[k];
-
-		term[k] = m * ((a == b ? ts_dot(d, d) : 0) - d[a] * d[b]);
-	}
+	ts_mass_inertia(sim, i, ts_chunk_centre(context, chunk), term);
+	xz = term[4];
+	term[4] = term[5];
+	term[5] = xz;
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -57,8 +52,8 @@ const struct ts_style ts_compute_inertia_chunk = {
 	       "    I_ab = sum m (d^2 delta_ab - d_a d_b)\n\n"
 	       "with d the vector from the centre of mass of the chunk, from positions without periodic "
 	       "wrapping. Particles are point masses: their own moment of inertia is not included. "
-	       "c_ID[i][1] ... c_ID[i][6] are xx, yy, zz, xy, yz, xz for chunk i. See also compute "
-	       "omega/chunk.",
+	       "c_ID[i][1] ... c_ID[i][6] are xx, yy, zz, xy, yz, xz for chunk i. " TS_CHUNK_OF_CLUMPS
+	       " See also compute omega/chunk.",
 	.example = "compute i all inertia/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

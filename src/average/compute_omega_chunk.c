@@ -3,8 +3,7 @@
 
 #include "base/axes.h"
 #include "math/symmetric3.h"
-#include "math/vec3.h"
-#include "particle/group_moments.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -13,29 +12,14 @@ struct state {
 	struct ts_table sums;
 };
 
-/* sum m (d^2 delta_ab - d_a d_b) */
-static void inertia(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
-{
-	double d[3], m = sim->particles->mass[i];
-
-	ts_chunk_arm(sim, i, chunk, context, d);
-	for (int k = 0; k < 6; k++) {
-		int a = ts_tensor_row[k], b = ts_tensor_column[k];
-
-		term[k] = m * ((a == b ? ts_dot(d, d) : 0) - d[a] * d[b]);
-	}
-}
-
 /* The six components of the inertia tensor, then the angular momentum. */
 static void inertia_and_momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context,
 				 double *term)
 {
-	double d[3];
+	const double *centre = ts_chunk_centre(context, chunk);
 
-	inertia(sim, i, chunk, context, term);
-	ts_chunk_arm(sim, i, chunk, context, d);
-	ts_cross(d, sim->particles->v[i], term + 6);
-	ts_scale(sim->particles->mass[i], term + 6, term + 6);
+	ts_mass_inertia(sim, i, centre, term);
+	ts_mass_angular_momentum(sim, i, centre, term + 6);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)

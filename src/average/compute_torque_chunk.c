@@ -3,7 +3,7 @@
 
 #include "base/axes.h"
 #include "math/vec3.h"
-#include "particle/particles.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 
@@ -15,7 +15,8 @@ static void torque(const struct tsim *sim, size_t i, size_t chunk, const void *c
 {
 	double d[3];
 
-	ts_chunk_arm(sim, i, chunk, context, d);
+	ts_unwrapped(sim, i, d);
+	ts_sub(d, ts_chunk_centre(context, chunk), d);
 	ts_cross(d, sim->particles->f[i], term);
 }
 

@@ -2,7 +2,7 @@
 #include "average/chunk_user.h"
 
 #include "base/axes.h"
-#include "particle/particles.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -13,9 +13,7 @@ struct state {
 static void momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
 	(void)chunk, (void)context;
-	term[3] = sim->particles->mass[i];
-	for (int d = 0; d < 3; d++)
-		term[d] = term[3] * sim->particles->v[i][d];
+	ts_mass_momentum(sim, i, term);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -56,7 +54,7 @@ const struct ts_style ts_compute_vcm_chunk = {
 	.summary = "Velocity of the center of mass of each chunk",
 	.doc = "Calculates the velocity of the centre of mass, sum m v / sum m, of the particles of the "
 	       "group in each chunk of compute chunk/atom. c_ID[i][1], c_ID[i][2], c_ID[i][3] are the "
-	       "components for chunk i; a chunk without particles has 0.",
+	       "components for chunk i; a chunk without particles has 0. " TS_CHUNK_OF_CLUMPS,
 	.example = "compute v all vcm/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,28 +1,17 @@
 /* Compute gyration: radius and tensor of gyration. */
 #include "group/group_motion.h"
 #include "particle/group_moments.h"
-#include "rigid/rigid_share.h"
+#include "rigid/mass_moments.h"
 
 #include <math.h>
 
-#include "math/vec3.h"
-
 #include "base/banned.h"
 
-/* Terms m (x_a - c_a) (x_b - c_b), and m. Of a clump with moments of inertia I about its centre of mass the integral of
- * (x_a - X_a) (x_b - X_b) over its mass, (1 trace I / 2 - I)_ab, is added. */
+/* Terms m (x_a - c_a) (x_b - c_b), and m. */
 static void second_moment_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	const double *centre = context;
-	double m = sim->particles->mass[i], d[3], own[6];
-
-	ts_rigid_share_place(sim, i, d);
-	ts_rigid_share_inertia(sim, i, own);
-	ts_sub(d, centre, d);
-	for (int k = 0; k < 6; k++)
-		term[k] = m * d[ts_tensor_row[k]] * d[ts_tensor_column[k]] - own[k] +
-			  (k < 3 ? (own[0] + own[1] + own[2]) / 2 : 0);
-	term[6] = m;
+	ts_mass_second_moment(sim, i, context, term);
+	term[6] = sim->particles->mass[i];
 }
 
 static void gyration_tensor(const struct ts_instance *self, const struct tsim *sim, double out[6])

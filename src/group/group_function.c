@@ -5,14 +5,14 @@
 #include <math.h>
 
 #include "base/axes.h"
-#include "box/domain.h"
 #include "group/group_dynamic.h"
 #include "group/kinetic_energy.h"
 #include "material/property.h"
 #include "math/exactsum.h"
-#include "particle/particles.h"
+#include "math/vec3.h"
+#include "particle/group_moments.h"
 #include "region/region.h"
-#include "rigid/rigid_share.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -62,19 +62,6 @@ static enum ts_status read_group(struct tsim *sim, struct ts_words args, size_t 
 	return args.n == most ? read_region(c, &args.word[most - 1]) : TS_OK;
 }
 
-static double unwrapped_coordinate(const struct selection *c, size_t i, int dim)
-{
-	return c->p->x[i][dim] + c->p->image[i][dim] * ts_box_length(&c->sim->domain->box, dim);
-}
-
-/* Of the mass of a particle. */
-static double mass_coordinate(const struct selection *c, size_t i, int dim)
-{
-	const struct ts_body *clump = ts_rigid_clump_of(c->sim, i);
-
-	return clump ? clump->x[dim] : unwrapped_coordinate(c, i, dim);
-}
-
 static double count_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)c, (void)i, (void)a, (void)b;
@@ -89,14 +76,20 @@ static double mass_term(const struct selection *c, size_t i, int a, int b)
 
 static double mass_position_term(const struct selection *c, size_t i, int a, int b)
 {
+	double term[4];
+
 	(void)b;
-	return c->p->mass[i] * mass_coordinate(c, i, a);
+	ts_mass_moment(c->sim, i, term);
+	return term[a];
 }
 
 static double momentum_term(const struct selection *c, size_t i, int a, int b)
 {
+	double term[4];
+
 	(void)b;
-	return c->p->mass[i] * ts_rigid_share_velocity(c->sim, i)[a];
+	ts_mass_momentum(c->sim, i, term);
+	return term[a];
 }
 
 static double kinetic_energy_term(const struct selection *c, size_t i, int a, int b)
@@ -111,55 +104,41 @@ static double force_term(const struct selection *c, size_t i, int a, int b)
 	return c->p->f[i][a];
 }
 
-/* From the centre of the selection to the mass of a particle. */
-static void arm_of_mass(const struct selection *c, size_t i, double d[3])
-{
-	for (int k = 0; k < 3; k++)
-		d[k] = mass_coordinate(c, i, k) - c->centre[k];
-}
-
 static double mass_r2_term(const struct selection *c, size_t i, int a, int b)
 {
-	double d[3], own[6];
+	double term[6];
 
 	(void)a, (void)b;
-	arm_of_mass(c, i, d);
-	ts_rigid_share_inertia(c->sim, i, own);
-	return c->p->mass[i] * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) + (own[0] + own[1] + own[2]) / 2;
+	ts_mass_second_moment(c->sim, i, c->centre, term);
+	return term[0] + term[1] + term[2];
 }
 
 static double inertia_term(const struct selection *c, size_t i, int a, int b)
 {
-	double d[3], own[6];
+	double term[6];
 
-	arm_of_mass(c, i, d);
-	ts_rigid_share_inertia(c->sim, i, own);
-	if (a != b)
-		return -c->p->mass[i] * d[a] * d[b] + own[a + b + 2];
-	return c->p->mass[i] * (d[(a + 1) % 3] * d[(a + 1) % 3] + d[(a + 2) % 3] * d[(a + 2) % 3]) + own[a];
+	ts_mass_inertia(c->sim, i, c->centre, term);
+	return term[a == b ? a : a + b + 2];
 }
 
 static double angular_momentum_term(const struct selection *c, size_t i, int a, int b)
 {
-	const double *v = ts_rigid_share_velocity(c->sim, i);
-	int u = (a + 1) % 3, w = (a + 2) % 3;
-	double d[3], own[3];
+	double term[3];
 
 	(void)b;
-	arm_of_mass(c, i, d);
-	ts_rigid_share_spin(c->sim, i, own);
-	return c->p->mass[i] * (d[u] * v[w] - d[w] * v[u]) + own[a];
+	ts_mass_angular_momentum(c->sim, i, c->centre, term);
+	return term[a];
 }
 
 static double torque_term(const struct selection *c, size_t i, int a, int b)
 {
-	int u = (a + 1) % 3, w = (a + 2) % 3;
 	double d[3];
 
 	(void)b;
-	for (int k = 0; k < 3; k++)
-		d[k] = unwrapped_coordinate(c, i, k) - c->centre[k];
-	return d[u] * c->p->f[i][w] - d[w] * c->p->f[i][u];
+	ts_unwrapped(c->sim, i, d);
+	ts_sub(d, c->centre, d);
+	ts_cross(d, c->p->f[i], d);
+	return d[a];
 }
 
 /* A run must not end because an output finds nobody: the value is that of LAMMPS and LIGGGHTS, and is warned of once. */

@@ -2,7 +2,7 @@
 
 #include "math/vec3.h"
 #include "particle/group_moments.h"
-#include "rigid/rigid_share.h"
+#include "rigid/mass_moments.h"
 
 #include "base/banned.h"
 
@@ -11,23 +11,14 @@ static const double SINGULAR = 1e-12;
 
 static void mass_position_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	double x[3];
-
 	(void)context;
-	ts_rigid_share_place(sim, i, x);
-	term[3] = sim->particles->mass[i];
-	for (int d = 0; d < 3; d++)
-		term[d] = term[3] * x[d];
+	ts_mass_moment(sim, i, term);
 }
 
 static void momentum_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	const double *v = ts_rigid_share_velocity(sim, i);
-
 	(void)context;
-	term[3] = sim->particles->mass[i];
-	for (int d = 0; d < 3; d++)
-		term[d] = term[3] * v[d];
+	ts_mass_momentum(sim, i, term);
 }
 
 static void mass_weighted_mean(const struct tsim *sim, int group, ts_term_fn *term, double out[3])
@@ -51,32 +42,12 @@ void ts_group_velocity(const struct tsim *sim, int group, double v[3])
 
 static void angular_momentum_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	double arm[3], own[3];
-
-	ts_rigid_share_place(sim, i, arm);
-	ts_sub(arm, context, arm);
-	ts_cross(arm, ts_rigid_share_velocity(sim, i), term);
-	ts_scale(sim->particles->mass[i], term, term);
-	ts_rigid_share_spin(sim, i, own);
-	ts_add(term, own, term);
+	ts_mass_angular_momentum(sim, i, context, term);
 }
 
-/* Terms m (r^2 1 - r r) of the inertia tensor: xx, yy, zz, xy, xz, yz. */
 static void inertia_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	double r[3], own[6], m = sim->particles->mass[i];
-
-	ts_rigid_share_place(sim, i, r);
-	ts_rigid_share_inertia(sim, i, own);
-	ts_sub(r, context, r);
-	term[0] = m * (r[1] * r[1] + r[2] * r[2]);
-	term[1] = m * (r[0] * r[0] + r[2] * r[2]);
-	term[2] = m * (r[0] * r[0] + r[1] * r[1]);
-	term[3] = -m * r[0] * r[1];
-	term[4] = -m * r[0] * r[2];
-	term[5] = -m * r[1] * r[2];
-	for (int k = 0; k < 6; k++)
-		term[k] += own[k];
+	ts_mass_inertia(sim, i, context, term);
 }
 
 void ts_group_spin(const struct tsim *sim, int group, double centre[3], double omega[3])

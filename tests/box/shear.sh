@@ -154,6 +154,29 @@ for threads in 1 3; do
 	same "bit for bit with $threads threads" threads.1 threads.$threads
 done
 
+# Two spheres that fly through the sheared faces: the unwrapped position is that of uniform motion.
+agree 'centres of mass are unwrapped from the sheared box' '
+units si
+atom_style sphere
+boundary p p p
+region b block 0 1 0 1 0 1
+create_box 1 b
+create_atoms 1 single 0.2 0.9 0.5
+create_atoms 1 single 0.7 0.95 0.5
+set group all diameter 0.01 density 1000
+velocity all set 0 1 0
+fix s all deform 1 xy erate 0.7 remap v
+fix n all nve/sphere
+compute com all com
+compute type all chunk/atom type
+compute chunk all com/chunk type
+timestep 1e-3
+run 500
+print "is centre $(xcm(all,x):%.17g) 0.45"
+print "is centre $(xcm(all,y):%.17g) 1.425"
+print "is centre $(c_com[1]:%.17g) 0.45"
+print "is centre $(c_chunk[1][1]:%.17g) 0.45"'
+
 box='units si
 boundary p p f
 region b block 0 0.01 0 0.01 0 0.01 units box

@@ -314,6 +314,27 @@ print "is trace $(inertia(all,xx)+inertia(all,yy)+inertia(all,zz):%.17g) $(c_i[1
 print "is gyration $(c_gyration:%.17g) $(sqrt((c_i[1]+c_i[2]+c_i[3])/2/c_m):%.17g)"
 print "is gyration $(gyration(all):%.17g) $(c_gyration:%.17g)"'
 
+agree 'sums over a chunk that is a clump are those of the clump' '
+include in.clump
+compute piece all chunk/atom type
+compute at all com/chunk piece
+compute speed all vcm/chunk piece
+compute momentum all angmom/chunk piece
+compute spin all omega/chunk piece
+compute tensor all inertia/chunk piece
+compute size all gyration/chunk piece
+run 700
+print "is x $(c_at[1][1]:%.17g) $(c_x[1]:%.17g)"
+print "is y $(c_at[1][2]:%.17g) $(c_x[2]:%.17g)"
+print "is vx $(c_speed[1][1]:%.17g) 1"
+print "is vy $(c_speed[1][2]:%.17g) 0 1"
+print "is l $(c_momentum[1][3]:%.17g) $(c_l[3]:%.17g)"
+print "is spin $(c_spin[1][3]:%.17g) $(c_w[3]:%.17g)"
+print "is trace $(c_tensor[1][1]+c_tensor[1][2]+c_tensor[1][3]:%.17g) $(c_i[1]+c_i[2]+c_i[3]:%.17g)"
+print "is xy $(c_tensor[1][4]:%.17g) $(inertia(all,xy):%.17g) $(c_i[1]:%.17g)"
+print "is xz $(c_tensor[1][6]:%.17g) $(inertia(all,xz):%.17g) $(c_i[1]:%.17g)"
+print "is gyration $(c_size[1]:%.17g) $(c_gyration:%.17g)"'
+
 # After `velocity` a clump has the velocity of its spheres, at once; what is zeroed is that of the clump.
 agree 'velocity set makes a clump rest' '
 include in.clump
