@@ -159,20 +159,23 @@ bool ts_pair_interact(const struct tsim *sim, size_t i, size_t j)
 	return pair && ts_pair_model(pair->state, p->type[i], p->type[j])->normal != TS_NORMAL_OFF;
 }
 
-static void types_present(const struct tsim *sim, bool *present)
+/* present[t] > 0: there are particles of type t on any rank, or templates of them. */
+static void types_present(const struct tsim *sim, double *present)
 {
 	const struct ts_particles *p = sim->particles;
 
 	for (size_t i = 0; i < p->n; i++)
-		present[p->type[i]] = true;
+		present[p->type[i]] = 1;
 	for (int t = 1; t <= p->ntypes; t++)
-		present[t] |= ts_template_inverse_mass(sim, t, NULL) > 0;
+		if (ts_template_inverse_mass(sim, t, NULL) > 0)
+			present[t] = 1;
+	ts_ranks_most_of(sim, present, (size_t)p->ntypes + 1);
 }
 
 static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 {
 	const struct ts_pair *pair = self->state;
-	bool *present = ts_alloc((size_t)pair->ntypes + 1, sizeof *present);
+	double *present = ts_alloc((size_t)pair->ntypes + 1, sizeof *present);
 
 	if (!present)
 		return ts_nomem(&sim->error);
@@ -182,7 +185,8 @@ static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 			bool mixed = pair->mixes && pair->coeffs.given[entry_of(pair, a, a)] &&
 				     pair->coeffs.given[entry_of(pair, b, b)];
 
-			if (!present[a] || !present[b] || mixed || pair->coeffs.given[entry_of(pair, a, b)])
+			if (!(present[a] > 0 && present[b] > 0) || mixed ||
+			    pair->coeffs.given[entry_of(pair, a, b)])
 				continue;
 			ts_free(present);
 			return ts_fail(&sim->error, TS_STATE, &self->where,

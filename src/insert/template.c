@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 
@@ -199,7 +200,7 @@ int ts_template_max_type(const struct tsim *sim)
 		if (insertable_kind(fix, &one) && one.type > most)
 			most = (int)one.type;
 	}
-	return most;
+	return (int)ts_ranks_most(sim, most);
 }
 
 bool ts_template_of_spheres(const struct tsim *sim)

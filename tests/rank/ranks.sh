@@ -28,6 +28,9 @@ for scene in $played; do
 	[ -s "alone/$scene/x.rows" ] && [ -s "alone/$scene/x.dump" ] && [ -s "alone/$scene/x.mean" ]
 	report "$scene has a table, a dump and averages" $?
 done
+# Contact laws of all types are known to a rank that has no particles when a run begins.
+cp "$scenes/in.late" .
+same_scenes 2 late
 [ -d ranks.2 ] || in_turn 2 ranks.2 looks named burst feed rain # other numbers were asked for
 # Outputs of in.looks read particles only, and checks of the time step need none of other ranks: contacts are gathered for the
 # end of the run.
