@@ -66,23 +66,17 @@ static bool boundaries_move(const struct tsim *sim)
  * smaller than that, sqrt(SKIN_MEMORY u d), where rebuilds are rare, and at most the given one; but where a
  * rebuild would be due within REBUILD_STEPS steps, it is larger. */
 static const double SKIN_BEST = 1.6, SKIN_MEMORY = 6;
-enum { REBUILD_STEPS = 40 };
+enum { REBUILD_STEPS = 80 };
 /* lower bound, in units of the smallest radius: particles at rest now may begin to move */
 static const double SKIN_LEAST = 0.02;
 
-/* The skin for fast particles; 0: the usual one is enough. Only if all faces are fixed: at other faces
- * rebuilds have visible effects (particles are wrapped, faces are shrink-wrapped), which should not be rarer
- * than with the given skin. */
-static double skin_of_fast_particles(const struct tsim *sim, double skin, double displacement, double size,
-				     bool walls_move)
+static double skin_for_speed(double displacement, double least_radius, double given)
 {
-	double quick =
-		fmin(2 * REBUILD_STEPS * displacement, SKIN_BEST * size * pow(displacement / size, 0.25));
+	double size = 2 * least_radius;
+	double best = SKIN_BEST * size * pow(displacement / size, 0.25);
+	double rare = fmax(sqrt(SKIN_MEMORY * displacement * size), SKIN_LEAST * least_radius);
 
-	if (!ts_domain_all_fixed(sim) || quick <= skin)
-		return 0;
-	return walls_move && sim->particles->lost_policy == TS_LOST_IGNORE ? ts_leaving_skin(skin, quick)
-									   : quick;
+	return fmax(fmin(rare, given), fmin(2 * REBUILD_STEPS * displacement, best));
 }
 
 /* Whether some effects occur only at rebuilds, as in LIGGGHTS: the end of the history of parted contacts, and the
@@ -93,16 +87,20 @@ static bool rebuilds_are_visible(const struct tsim *sim)
 	       (sim->particles->lost_policy == TS_LOST_IGNORE && !ts_leaving_apart(sim));
 }
 
-/* The smallest skin, length, that is enough for the displacement per step of the fastest particle. */
+/* The skin, length, for the displacement per step of the fastest particle. It is larger than given only if all faces are
+ * fixed: at other faces rebuilds have visible effects (particles are wrapped, faces are shrink-wrapped), which should not be
+ * rarer than with the given skin. */
 static double choose_skin(const struct tsim *sim, double displacement, bool walls_move)
 {
-	double skin = sim->neigh->given_skin, least = sim->neigh->least_radius, small;
+	double given = sim->neigh->given_skin;
+	double skin = skin_for_speed(displacement, sim->neigh->least_radius, given);
+	bool ignores_lost = sim->particles->lost_policy == TS_LOST_IGNORE;
 
-	small = sqrt(SKIN_MEMORY * displacement * 2 * least);
-	small = sim->particles->lost_policy == TS_LOST_IGNORE || walls_move
-			? skin
-			: fmin(skin, fmax(small, SKIN_LEAST * least));
-	return fmax(small, skin_of_fast_particles(sim, skin, displacement, 2 * least, walls_move));
+	if (skin <= given)
+		return walls_move || ignores_lost ? given : skin;
+	if (!ts_domain_all_fixed(sim))
+		return given;
+	return walls_move && ignores_lost ? ts_leaving_skin(given, skin) : skin;
 }
 
 /* A frame that moves needs a watch (leaving.h), which costs as much as a rebuild in about this number of steps. */

@@ -48,6 +48,30 @@ report 'a heap at rest has fewer rows' $? fewer
 "$TSIM" -in in.heap -var fixed 'fixed no' -var out cut -var first 3217 -log log.cut -screen none 2>err
 same 'a run cut in two' no.dump cut.dump
 
+# Fast spheres in a periodic box: 0.0025 diameters a step, so s = 1.6 d 0.0025^(1/4), 72 steps. The first list has the given skin.
+cat >in.fast <<'EOF'
+units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.2 0.2 0.2 units box
+create_atoms 1 single 0.7 0.7 0.7 units box
+set type 1 diameter 0.04 density 1000
+set atom 1 vx 1
+set atom 2 vx -1
+pair_style spring/dashpot
+pair_coeff 1 1 stiffness 2e3 restitution 0.9
+fix move all nve/sphere
+neighbor 0.04 bin
+timestep 1e-4
+thermo 800
+thermo_style custom step nbuild
+run 800
+EOF
+"$TSIM" -in in.fast -log none >out 2>err
+awk '$1 == 800 && NF == 2 { builds = $2 } END { exit !(builds == 10) }' out
+report 'fast spheres in a periodic box: builds as far apart as they pay' $? out
+
 # without particles there is no skin yet to tell
 printf '%s\n' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' 'pair_style gran/hooke 1 NULL 1 NULL 0.5 0' \
 	'pair_coeff * *' '${skin}' 'run 0' >in.empty
