@@ -31,6 +31,8 @@ static enum ts_status add_row(const struct ts_contact_history *h, size_t k, int3
 		memcpy(row, h->value + k * h->width, size);
 	if (results)
 		memcpy(row + size, h->force[k], sizeof *h->force);
+	if (results && h->torque)
+		memcpy(row + size + sizeof *h->force, h->torque[k], sizeof *h->torque);
 	return TS_OK;
 }
 
@@ -72,7 +74,8 @@ static enum ts_status give(struct ts_instance *self, struct tsim *sim, bool resu
 	enum ts_status status = TS_OK;
 
 	out->bytes = sizeof *h.key + nb->contacts.history_width * sizeof *h.value +
-		     (results ? sizeof *h.force : 0);
+		     (results ? sizeof *h.force : 0) +
+		     (results && nb->contacts.parts > 1 ? sizeof *h.torque : 0);
 	if (!nb->wanted || (leaving && !leaving->n))
 		return TS_OK;
 	TS_TRY(save_history(sim, &nb->contacts, results, leaving, &h));
@@ -115,7 +118,8 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	struct ts_neigh *nb = self->state;
 	struct ts_contact_history *h = &nb->saved;
 	size_t n = ts_carried_count(rows), size = nb->contacts.history_width * sizeof *h->value;
-	bool results = rows->bytes > sizeof *h->key + size;
+	bool results = rows->bytes > sizeof *h->key + size,
+	     torques = rows->bytes > sizeof *h->key + size + sizeof *h->force;
 	struct ts_identities map;
 
 	if (!nb->wanted)
@@ -126,7 +130,8 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	h->key = ts_alloc(n, sizeof *h->key);
 	h->value = ts_alloc(n * h->width, sizeof *h->value);
 	h->force = results ? ts_alloc(n, sizeof *h->force) : NULL;
-	if (!h->key || !h->value || (results && !h->force))
+	h->torque = torques ? ts_alloc(n, sizeof *h->torque) : NULL;
+	if (!h->key || !h->value || (results && !h->force) || (torques && !h->torque))
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < n; k++) {
 		int32_t tag;
@@ -140,6 +145,8 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 			memcpy(h->value + h->n * h->width, row, size);
 		if (results)
 			memcpy(h->force[h->n], row + size, sizeof *h->force);
+		if (torques)
+			memcpy(h->torque[h->n], row + size + sizeof *h->force, sizeof *h->torque);
 		h->n++;
 	}
 	return TS_OK;

@@ -48,12 +48,14 @@ static bool borrow_memory(const struct ts_contact_list *list, struct ts_contact_
 	return h->lent;
 }
 
-static enum ts_status allocate_history(struct tsim *sim, struct ts_contact_history *h, size_t n, bool forces)
+static enum ts_status allocate_history(struct tsim *sim, struct ts_contact_history *h, size_t n, bool forces,
+				       bool torques)
 {
 	h->key = ts_alloc(n, sizeof *h->key);
 	h->value = ts_alloc(n * h->width, sizeof *h->value);
 	h->force = forces ? ts_alloc(n, sizeof *h->force) : NULL;
-	if (!h->key || !h->value || (forces && !h->force)) {
+	h->torque = torques ? ts_alloc(n, sizeof *h->torque) : NULL;
+	if (!h->key || !h->value || (forces && !h->force) || (torques && !h->torque)) {
 		ts_contact_history_release(h);
 		return ts_nomem(&sim->error);
 	}
@@ -64,6 +66,27 @@ static void copy_force(double to[3], const double from[3], bool swapped)
 {
 	for (int k = 0; k < 3; k++)
 		to[k] = swapped ? -from[k] : from[k];
+}
+
+static void save_torque(const struct ts_contact_list *list, size_t slot, bool swapped, double to[7])
+{
+	to[0] = ts_contact_force(list, slot)[3];
+	for (int k = 0; k < 3; k++)
+		to[1 + k] = ts_contact_tangential_torque(list, slot)[k];
+	if (list->parts > 2)
+		copy_force(to + 4, ts_contact_rolling_torque(list, slot), swapped);
+}
+
+static void restore_torque(const struct ts_contact_list *list, size_t slot, bool swapped,
+			   const double from[7])
+{
+	if (list->parts < 2)
+		return;
+	ts_contact_force(list, slot)[3] = from[0];
+	for (int k = 0; k < 3; k++)
+		ts_contact_tangential_torque(list, slot)[k] = from[1 + k];
+	if (list->parts > 2)
+		copy_force(ts_contact_rolling_torque(list, slot), from + 4, swapped);
 }
 
 /* Saving by shares of the list, in its order. */
@@ -151,6 +174,8 @@ static void save_pair(const struct saving *s, size_t r, size_t n)
 	s->h->key[n] = make_key(list, r, &swapped);
 	if (s->forces)
 		copy_force(s->h->force[n], ts_contact_force(list, ts_contact_kept(list, r)), swapped);
+	if (s->forces && s->h->torque)
+		save_torque(list, ts_contact_kept(list, r), swapped, s->h->torque[n]);
 	if (width)
 		copy_signed(s->h->value + n * width, ts_contact_history(list, r), width, list->history_sign,
 			    swapped);
@@ -188,7 +213,7 @@ static enum ts_status save_shares_of(struct tsim *sim, struct saving *s, bool fo
 	if (!n)
 		return TS_OK;
 	if (!s->lend || forces || !borrow_memory(s->list, s->h, n))
-		TS_TRY(allocate_history(sim, s->h, n, forces));
+		TS_TRY(allocate_history(sim, s->h, n, forces, forces && s->list->parts > 1));
 	s->h->n = n;
 	ts_parallel((int)s->shares, s->shares, save_shares, s);
 	return TS_OK;
@@ -259,7 +284,7 @@ enum ts_status ts_contact_history_append(struct tsim *sim, struct ts_contact_his
 					   .parted = h->parted };
 
 	if (more->n && more->width == h->width) {
-		TS_TRY(allocate_history(sim, &both, h->n + more->n, false));
+		TS_TRY(allocate_history(sim, &both, h->n + more->n, false, false));
 		copy_contacts(&both, h);
 		copy_contacts(&both, more);
 		ts_contact_history_release(h);
@@ -447,6 +472,8 @@ static void restore_share(void *context, size_t from, size_t to)
 		if (h->force)
 			copy_force(ts_contact_force(list, ts_contact_kept(list, r)), h->force[k - 1],
 				   swapped);
+		if (h->torque)
+			restore_torque(list, ts_contact_kept(list, r), swapped, h->torque[k - 1]);
 	}
 }
 
@@ -520,6 +547,7 @@ void ts_contact_history_release(struct ts_contact_history *h)
 		ts_free(h->value);
 	}
 	ts_free(h->force);
+	ts_free(h->torque);
 	*h = (struct ts_contact_history){ 0 };
 }
 
@@ -527,6 +555,8 @@ enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsi
 					  struct ts_contact_history *h)
 {
 	int64_t size[2] = { (int64_t)h->n, (int64_t)h->width };
+	bool torques =
+		ts_archive_writing(archive) ? h->torque != NULL : ts_archive_has(archive, "contact_torques");
 
 	TS_TRY(ts_archive_fixed(archive, "history_size", TS_SAVED_I64, size, 2));
 	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
@@ -537,10 +567,12 @@ enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsi
 		ts_contact_history_release(h);
 		h->width = (size_t)size[1];
 		if (size[0])
-			TS_TRY(allocate_history(sim, h, (size_t)size[0], true));
+			TS_TRY(allocate_history(sim, h, (size_t)size[0], true, torques));
 		h->n = (size_t)size[0];
 	}
 	TS_TRY(ts_archive_fixed(archive, "history_keys", TS_SAVED_I32, h->key, 3 * h->n));
 	TS_TRY(ts_archive_fixed(archive, "history", TS_SAVED_F64, h->value, h->n * h->width));
+	if (torques && h->n) /* missing in older files, whose contacts have none until the first step */
+		TS_TRY(ts_archive_fixed(archive, "contact_torques", TS_SAVED_F64, h->torque, 7 * h->n));
 	return ts_archive_fixed(archive, "forces", TS_SAVED_F64, h->force, 3 * h->n);
 }

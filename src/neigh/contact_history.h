@@ -19,9 +19,12 @@ struct ts_contact_history {
 	/* history, `width` numbers each, with the signs as seen from the smaller identity */
 	double *value;
 	double (*force)[3]; /* force on the smaller identity; NULL: forces are not saved */
-	bool lent;	    /* `key` and `value` are in memory of the list, and not to be freed */
-	bool overlapping;   /* only pairs that overlap now get their history back */
-	bool parted;	    /* all get it back, and those that overlap now touch */
+	/* with the forces, if the laws have torques: half the overlap, the tangential torque for a lever arm of 1, the rolling
+	 * torque on the smaller identity */
+	double (*torque)[7];
+	bool lent;	  /* `key` and `value` are in memory of the list, and not to be freed */
+	bool overlapping; /* only pairs that overlap now get their history back */
+	bool parted;	  /* all get it back, and those that overlap now touch */
 };
 
 /* Copies the history of the touching pairs, and on request their forces: a run that continues with the forces

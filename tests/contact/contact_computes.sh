@@ -301,4 +301,45 @@ compute c all contact/atom
 compute s all reduce sum c_c
 run 0
 print "contacts $(c_s)"' 'contacts 288'
+
+# ---- the torque of a contact in the first output after read_restart is that of the last step
+hit='fix p1 all property/global kn peratomtypepair 1 4e4
+fix p2 all property/global kt peratomtypepair 1 1e4
+fix p3 all property/global gamman peratomtypepair 1 40
+fix p4 all property/global gammat peratomtypepair 1 20
+fix p5 all property/global coefficientFriction peratomtypepair 1 0.5
+fix p6 all property/global coefficientRollingFriction peratomtypepair 1 0.2
+pair_style gran model hooke/stiffness tangential history rolling_friction epsd2
+pair_coeff * *
+timestep 1e-5
+fix integ all nve/sphere
+compute c all pair/gran/local force torque
+compute t all reduce sum c_c[4] c_c[5] c_c[6]'
+cat >in.hit <<END
+units si
+atom_style granular
+boundary f f f
+region box block -0.5 0.5 -0.5 0.5 0 1 units box
+create_box 1 box
+create_atoms 1 single -0.049 0 0.5
+create_atoms 1 single 0.049 0.01 0.5
+set type 1 diameter 0.1 density 2500
+set atom 1 vx 1 vy 0.5
+set atom 2 vx -1 vz 0.5
+$hit
+run 40
+variable x equal \$(c_t[1]:%.17g)
+variable y equal \$(c_t[2]:%.17g)
+variable z equal \$(c_t[3]:%.17g)
+write_restart hit.restart
+clear
+read_restart hit.restart
+$hit
+run 0
+print "is x \$(c_t[1]:%.17g) \${x}"
+print "is y \$(c_t[2]:%.17g) \${y}"
+print "is z \$(c_t[3]:%.17g) \${z}"
+print "is turned \$(abs(v_y)>0.1) 1"
+END
+agree 'torque of a contact after read_restart' "$(cat in.hit)"
 finish
