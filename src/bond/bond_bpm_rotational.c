@@ -64,6 +64,8 @@ TS_INLINE bool rotational_law(const void *coeff, struct ts_bond_element *e, cons
 	ts_bpm_scale(1 - 3 * out->smoothed, e, out);
 	if (whole)
 		ts_bond_viscous(e, s, out);
+	else if (c->smooth)
+		ts_bpm_derive(c->critical, e, s, out);
 	return ts_bond_holds(e, out);
 }
 
@@ -138,7 +140,10 @@ static const char *const more[] = {
 	"whose derivatives are the forces; LAMMPS decomposes the rotation after Wang, which is the same for "
 	"small angles.",
 	"In compute bond/local `ratio` is B, `sigma` is B where f_r and tau_b contribute more to it than f_s "
-	"and tau_t, else `tau`; the mode of a broken bond is tension or shear alike. Particles are "
+	"and tau_t, else `tau`; the mode of a broken bond is tension or shear alike. With `break no` there "
+	"is nothing to compare with: `ratio` and `mode` are 0, B is `sigma` or `tau`. The columns force, "
+	"shear, bending and twist are the loads that act, multiplied by w. The force that fix bond/breakage "
+	"lists is about 0 with smoothing, as w is. Particles are "
 	"integrated by fix nve/sphere, or nve/bpm/sphere, the same. A bond that turns by more than 90 "
 	"degrees between its ends, or that extends over half a periodic box, is an error.",
 	NULL
@@ -158,7 +163,8 @@ const struct ts_bond_style ts_bond_bpm_rotational = {
 			  "B^4 (B > 0), with `smooth no` by 1. The dashpots gamma_n, gamma_s, gamma_r and "
 			  "gamma_t act parallel to the four springs, also multiplied by w. The elastic "
 			  "energy is multiplied by 1 - B^4/3, the integral where all loads grow in "
-			  "proportion. With `normalize yes` k_r and k_s are divided by r0.",
+			  "proportion; fix energy/ledger books what another way of loading takes or "
+			  "gives with the dashpots. With `normalize yes` k_r and k_s are divided by r0.",
 		   .doc_more = more,
 		   .example = "special_bonds lj 0 1 1 coul 1 1 1\n"
 			      "bond_style bpm/rotational store/local broken 1000 time id1 id2\n"

@@ -67,7 +67,7 @@ TS_INLINE void ts_bond_store_single(struct ts_bonds *bonds, size_t b, const stru
 	};
 
 	bonds->load[b] = load;
-	bonds->tension[b] = holds ? a->axial : a->load[TS_BOND_NORMAL];
+	bonds->tension[b] = holds ? a->axial : a->load[TS_BOND_NORMAL] * a->acting;
 	bonds->breaks[b] = !holds;
 }
 

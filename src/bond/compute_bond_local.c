@@ -44,9 +44,9 @@ static struct ts_bond_element element_of(const struct tsim *sim, const struct ts
 		(void)e;                                                               \
 		return value;                                                          \
 	}
-OF_STATE(column_shear, s.load[TS_BOND_SHEAR])
-OF_STATE(column_bending, s.load[TS_BOND_BENDING])
-OF_STATE(column_twist, s.load[TS_BOND_TWIST])
+OF_STATE(column_shear, s.load[TS_BOND_SHEAR] * s.acting)
+OF_STATE(column_bending, s.load[TS_BOND_BENDING] * s.acting)
+OF_STATE(column_twist, s.load[TS_BOND_TWIST] * s.acting)
 OF_STATE(column_sigma, s.tension)
 OF_STATE(column_tau, s.shear)
 OF_STATE(column_sigma_strength, e.tension)

@@ -64,7 +64,8 @@ struct ts_bond_answer {
 	struct ts_xyz torque[2]; /* on a, on b */
 	/* without damping: normal force (> 0 tension), shear force, bending moment, torque (with sign) */
 	double load[TS_BOND_MODES];
-	double axial;			    /* normal force with damping */
+	double acting; /* by which these are multiplied: 1, less if the law smooths its forces */
+	double axial;  /* normal force with damping */
 	double tension, shear, compression; /* largest stresses of the section, without damping */
 	double cosine;			    /* of half the angle |phi| */
 	double smoothed; /* part of the elastic energy that a law which smooths its forces takes away */
@@ -191,6 +192,7 @@ TS_INLINE void ts_bond_elastic(const struct ts_bond_element *e, const struct ts_
 	out->torque[1] = ts_xyz_add(bend, -energy * (1 - e->fraction), ts_xyz_cross(tb, across));
 	out->load[TS_BOND_NORMAL] = out->axial = pull;
 	out->load[TS_BOND_SHEAR] = ks * sqrt(ts_xyz_dot(across, across));
+	out->acting = 1;
 	out->smoothed = 0;
 }
 

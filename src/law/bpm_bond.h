@@ -12,7 +12,8 @@
  *   B = f_r/f_rc + |f_s|/f_sc + |tau_b|/tau_bc + |tau_t|/tau_tc,   f_r > 0 in tension,
  *
  * reaches 1; its forces, and dashpots, are multiplied by 1 - max(B, 0)^4, its energy by 1 - max(B, 0)^4/3: their integral where
- * all loads grow in proportion. On other ways forces of this form have no potential. */
+ * all loads grow in proportion. On other ways forces of this form have no potential: they are the derivatives of this energy,
+ * and the rest, which takes or gives work (ts_bpm_derive). */
 #ifndef TS_LAW_BPM_BOND_H
 #define TS_LAW_BPM_BOND_H
 
@@ -57,8 +58,38 @@ TS_INLINE void ts_bpm_scale(double w, struct ts_bond_element *e, struct ts_bond_
 	for (int k = 0; k < 2; k++)
 		out->torque[k] = ts_xyz_scale(w, out->torque[k]);
 	out->axial *= w;
+	out->acting = w;
 	for (int m = 0; m < TS_BOND_MODES; m++)
 		e->c[m] *= w;
+}
+
+/* Force and torques become the derivatives of the energy U = U_0 (1 - B^4/3), after ts_bpm_damage: with a load f of the
+ * displacement q that is
+ *
+ *   dU/dq = f s,   s = 1 - B^4/3 - 4/3 B^3 U_0 (dB/dq)/f,   dB/dq = k/f_c, times the sign of f if B has |f|,
+ *
+ * so they are those of the element with the stiffnesses k s. Where f is 0, dU/dq may jump; near it s is not accurate. */
+TS_INLINE void ts_bpm_derive(const double critical[TS_BOND_MODES], const struct ts_bond_element *e,
+			     const struct ts_bond_ends *s, struct ts_bond_answer *out)
+{
+	const double nearly = 1e-8, b = fmax(out->tension, out->shear);
+	struct ts_bond_element of = *e;
+	struct ts_bond_answer derived;
+	double energy = 0;
+
+	for (int m = 0; m < TS_BOND_MODES; m++)
+		energy += e->k[m] > 0 ? 0.5 * out->load[m] * out->load[m] / e->k[m] : 0;
+	for (int m = 0; m < TS_BOND_MODES; m++) {
+		const double load = m == TS_BOND_NORMAL ? out->load[m] : fabs(out->load[m]);
+
+		of.k[m] *= 1 - out->smoothed;
+		if (fabs(load) > nearly * critical[m])
+			of.k[m] -= 4. / 3 * b * b * b * energy * e->k[m] / critical[m] * e->k[m] / load;
+	}
+	ts_bond_elastic(&of, s, &derived);
+	out->force = derived.force;
+	for (int k = 0; k < 2; k++)
+		out->torque[k] = derived.torque[k];
 }
 
 #endif

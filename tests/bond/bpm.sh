@@ -134,4 +134,75 @@ END2
 rows out | awk '$4 == 1 && !($2 + $3 - was < 1e-8 && was - $2 - $3 < 1e-8) && NR > 1 { bad = 1 } NR == 1 { was = $2 + $3 }
 	!($5 < 1e-12 && $5 > -1e-12) { bad = 1 } { broken = $6 } END { exit bad || !(broken > 0.003332 && broken < 0.003334) }'
 report 'pulled apart' $? out
+
+# w = 1 - B^4 multiplies all loads: those that compute bond/local shows, and that of the bond that breaks
+cat >in.rotational <<'END2'
+units si
+atom_style sphere
+newton off
+boundary f f f
+region box block -1 1 -1 1 -1 1
+create_box 1 box
+create_atoms 1 single 0 0 0
+create_atoms 1 single 0.002 0 0
+set group all diameter 0.002 density 2500
+special_bonds lj 0 1 1 coul 1 1 1
+bond_style bpm/rotational
+bond_coeff 1 1000 500 1e-3 1e-3 0.5 0.5 5e-6 5e-6 0 0 0 0
+create_bonds many all all 1 0 0.0021
+group a id 1
+group b id 2
+fix a a freeze
+timestep 1e-6
+END2
+agree 'columns of a twisted bond' 'include in.rotational
+fix m b move rotate 0.002 0 0 1 0 0 0.1
+compute b all bond/local twist tx ratio
+compute r all reduce sum c_b[1] c_b[2] c_b[3]
+run 60 unsafe yes
+variable t equal 1e-3*2*PI*6e-4
+variable B equal v_t/5e-6
+print "is B $(c_r[3]) $(v_B) 10"
+print "is twist $(c_r[1]) $(v_t*(1-v_B^4)) 1e-5"
+print "is tx $(c_r[2]) $(v_t*(1-v_B^4)) 1e-5"'
+agree 'column of a sheared bond' 'include in.rotational
+bond_coeff 1 1000 500 1e-3 1e-3 1e9 5e-3 5e-6 5e-6 0 0 0 0
+displace_atoms b move 0 6e-6 0
+compute b all bond/local shear ratio
+compute r all reduce sum c_b[1] c_b[2]
+thermo_style custom step c_r[*]
+run 0
+variable s equal 500*0.002*6e-6/sqrt(0.002^2+6e-6^2)
+variable B equal v_s/5e-3
+print "is shear $(c_r[1]) $(v_s*(1-v_B^4))"'
+prints 'include in.rotational
+fix m b move linear 0.1 0 0
+fix crack all bond/breakage
+compute f all reduce sum f_crack[9]
+thermo_style custom step bonds c_f
+run 6000 unsafe yes
+print "$(bonds) bonds, $(abs(c_f)<0.5*5e-3)"' '0 bonds, 1'
+
+# Stretched, then sheared, back and back: the forces do work on a closed way, which the ledger books with the dashpots
+cat >in.loop <<'END2'
+include in.rotational
+bond_coeff 1 1000 500 1e-3 1e-3 0.5 0.5 5e-4 5e-4 0 0 0 0
+fix e all energy/ledger
+thermo_style custom step f_e[16] f_e[20] f_e[21] f_e
+thermo 1000
+fix m b move linear 0.2 0 0
+run 1000 post no
+unfix m
+fix m b move linear 0 0.4 0
+run 1000 post no
+unfix m
+fix m b move linear -0.2 0 0
+run 1000 post no
+unfix m
+fix m b move linear 0 -0.4 0
+run 1000 post no
+END2
+"$TSIM" -in in.loop -log none >out 2>&1
+rows out | tail -n 1 | awk '{ exit !($5 < 1e-3 && $5 > -1e-3) }' && ! grep -q 'the energy drift' out
+report 'ledger of a closed way' $? out
 finish

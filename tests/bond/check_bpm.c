@@ -8,6 +8,7 @@
 #include "bond/bond_moment.h"
 #include "bond/bonds.h"
 #include "core/sim.h"
+#include "law/bpm_bond.h"
 #include "math/constants.h"
 #include "particle/particles.h"
 
@@ -177,6 +178,53 @@ START_TEST(rotational_breaks)
 }
 END_TEST
 
+static const double critical[TS_BOND_MODES] = { 3.1, 2.3, 1.9, 1.3 };
+
+static double smoothed_energy(const struct ts_bond_element *e, const struct ts_bond_ends *s,
+			      struct ts_bond_answer *out)
+{
+	double energy[TS_BOND_MODES];
+
+	ts_bond_elastic(e, s, out);
+	ts_bpm_damage(critical, out);
+	out->smoothed = ts_bpm_smoothing(out) / 3;
+	ts_bond_energies(e, out, energy);
+	return energy[0] + energy[1] + energy[2] + energy[3];
+}
+
+/* The part of the forces that has a potential: the derivatives of the energy, in tension and in compression. */
+START_TEST(derivatives)
+{
+	const struct ts_bond_element e = { .length = 1.1, .fraction = 0.5, .k = { 7, 5, 3, 2 } };
+	const struct ts_bond_ends s = { .d = { _i ? 1.05 : 1.2, 0.13, -0.08 },
+					.q = { ts_wxyz_of_vector((struct ts_xyz){ 0.05, 0.1, -0.07 }),
+					       ts_wxyz_of_vector((struct ts_xyz){ -0.11, 0.02, 0.15 }) } };
+	const double h = 1e-5;
+	struct ts_bond_answer a, ignored;
+
+	(void)smoothed_energy(&e, &s, &a);
+	ck_assert_double_gt(a.smoothed, 0.005);
+	ts_bpm_derive(critical, &e, &s, &a);
+	for (int c = 0; c < 3; c++) {
+		const struct ts_xyz axis = { c == 0, c == 1, c == 2 };
+		double moved[2], turned[2];
+
+		for (int k = 0; k < 2; k++) {
+			const double step = k ? h : -h;
+			struct ts_bond_ends there = s;
+
+			there.d = ts_xyz_add(s.d, step, axis);
+			moved[k] = smoothed_energy(&e, &there, &ignored);
+			there = s;
+			there.q[1] = ts_wxyz_product(ts_wxyz_of_vector(ts_xyz_scale(step, axis)), s.q[1]);
+			turned[k] = smoothed_energy(&e, &there, &ignored);
+		}
+		DECK_NEAR(ts_xyz_dot(a.force, axis), -(moved[1] - moved[0]) / (2 * h), 1e-7);
+		DECK_NEAR(ts_xyz_dot(a.torque[1], axis), -(turned[1] - turned[0]) / (2 * h), 1e-7);
+	}
+}
+END_TEST
+
 /* ---- pair bpm/spring: particles of the atom style bond get the radius r_c/2 */
 
 START_TEST(pair)
@@ -208,6 +256,7 @@ int main(void)
 	tcase_add_test(all, same_bits);
 	tcase_add_loop_test(all, damage, 0, 2);
 	tcase_add_loop_test(all, rotational_breaks, 0, 2);
+	tcase_add_loop_test(all, derivatives, 0, 2);
 	tcase_add_test(all, pair);
 	suite_add_tcase(suite, all);
 	return deck_main(suite);
