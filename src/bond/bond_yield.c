@@ -37,7 +37,7 @@ static double stretch(const struct tsim *sim, size_t b, const struct ts_plastic_
 	if (length == e->length)
 		return 0;
 	work = ts_plastic_stretch_work(e, y, length) + energy_across(e, s);
-	sim->bonds->rest[b] = length;
+	sim->bonds->rest[b] = sim->bonds->own[b] = length;
 	ts_bond_constants(sim, b, e);
 	return work - energy_across(e, s);
 }

@@ -185,9 +185,25 @@ static enum ts_status check_restored_bonds(struct tsim *sim, const struct ts_bon
 	for (size_t k = 0; k < b->n; k++)
 		if (b->tag[k][0] < 1 || b->tag[k][0] > max_tag || b->tag[k][1] < 1 ||
 		    b->tag[k][1] > max_tag || b->tag[k][0] == b->tag[k][1] || b->type[k] < 1 ||
-		    b->type[k] > b->ntypes || !isfinite(b->rest[k]))
+		    b->type[k] > b->ntypes || !isfinite(b->rest[k]) || !isfinite(b->own[k]))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
 				       "bond %zu has an invalid partner or type", k + 1);
+	return TS_OK;
+}
+
+/* Whether coefficients have given lengths that are not the bonds' own. */
+static bool lengths_are_given(const struct ts_bonds *b)
+{
+	return b->n && memcmp(b->rest, b->own, b->n * sizeof *b->rest) != 0;
+}
+
+static enum ts_status archive_lengths(struct ts_bonds *b, struct ts_archive *a)
+{
+	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
+	if (ts_archive_writing(a) ? lengths_are_given(b) : ts_archive_has(a, "own"))
+		return ts_archive_fixed(a, "own", TS_SAVED_F64, b->own, b->n);
+	if (b->n)
+		memcpy(b->own, b->rest, b->n * sizeof *b->rest);
 	return TS_OK;
 }
 
@@ -231,7 +247,7 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 	b->nevents = (size_t)n[1];
 	TS_TRY(ts_archive_fixed(a, "tag", TS_SAVED_I32, b->tag, 2 * b->n));
 	TS_TRY(ts_archive_fixed(a, "type", TS_SAVED_I32, b->type, b->n));
-	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
+	TS_TRY(archive_lengths(b, a));
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
 	if (!ts_archive_writing(a) && b->n)
 		memset(b->fresh, 1, b->n);
@@ -259,6 +275,8 @@ static void fingerprint_bonds(const struct ts_instance *self, const struct tsim 
 	ts_hash_add(hash, b->tag, b->n * sizeof *b->tag);
 	ts_hash_add(hash, b->type, b->n * sizeof *b->type);
 	ts_hash_add(hash, b->rest, b->n * sizeof *b->rest);
+	if (lengths_are_given(b))
+		ts_hash_add(hash, b->own, b->n * sizeof *b->own);
 	if (b->transmits)
 		ts_hash_add(hash, b->reference, b->n * sizeof *b->reference);
 	if (b->softens)
@@ -268,7 +286,7 @@ static void fingerprint_bonds(const struct ts_instance *self, const struct tsim 
 static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_bonds *b = self->state;
-	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);
+	size_t bytes = 5 * sizeof(double) + 11 * sizeof(int32_t);
 
 	if (b->transmits)
 		bytes += sizeof *b->reference + sizeof *b->load +
@@ -290,6 +308,7 @@ static void release_bonds(struct ts_instance *self)
 	ts_free(b->tag);
 	ts_free(b->type);
 	ts_free(b->rest);
+	ts_free(b->own);
 	ts_free(b->row);
 	ts_free(b->tension);
 	ts_free(b->breaks);

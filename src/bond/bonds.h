@@ -56,6 +56,7 @@ struct ts_bonds {
 	int32_t (*tag)[2]; /* identities of the partners, the smaller first */
 	int32_t *type;	   /* 1..ntypes */
 	double *rest;	   /* rest length */
+	double *own; /* that without coefficients that give it: distance at the creation, and yielding since */
 	/* local indices of the partners, valid from one rebuild of the contact list to the next */
 	int32_t (*row)[2];
 	/* force along the bond, > 0 attractive, of the last step at which it was stored
@@ -163,7 +164,7 @@ static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_insta
 /* Adds a bond with the rest length `rest`, unless the coefficients give another one, without a check whether the pair is
  * bonded already. Sort the list by ts_bonds_sort after a series. */
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
-/* Lengths that the coefficients give become those of the bonds. */
+/* Rest lengths become those that the coefficients give, or the bonds' own. */
 void ts_bonds_set_lengths(struct tsim *sim);
 void ts_bonds_sort(struct ts_bonds *bonds);
 bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b);	   /* sorted list */
@@ -178,7 +179,7 @@ enum ts_status ts_bonds_reserve(struct tsim *sim, size_t n);
 enum ts_status ts_bonds_reserve_events(struct tsim *sim, size_t n);
 
 /* The columns of the list that are present, without rows of partners and flags, which are valid in a step only. */
-enum { TS_BOND_COLUMNS = 8 };
+enum { TS_BOND_COLUMNS = 9 };
 struct ts_bond_column {
 	void *data;
 	size_t size; /* bytes of an element */

@@ -19,6 +19,7 @@ static enum ts_status reserve_bonds(struct ts_bonds *b, size_t n)
 	GROW_COLUMN(tag);
 	GROW_COLUMN(type);
 	GROW_COLUMN(rest);
+	GROW_COLUMN(own);
 	GROW_COLUMN(row);
 	GROW_COLUMN(tension);
 	GROW_COLUMN(breaks);
@@ -94,8 +95,8 @@ void ts_bonds_set_lengths(struct tsim *sim)
 	const struct ts_instance *style = ts_sim_only(sim, TS_KIND_BOND);
 	struct ts_bonds *b = sim->bonds;
 
-	for (size_t k = 0; style && ts_bond_style_of(style)->length && k < b->n; k++)
-		b->rest[k] = length_without_force(sim, b->type[k], b->rest[k]);
+	for (size_t k = 0; style && k < b->n; k++)
+		b->rest[k] = length_without_force(sim, b->type[k], b->own[k]);
 }
 
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest)
@@ -107,6 +108,7 @@ enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int 
 	b->tag[b->n][0] = tag_a < tag_b ? tag_a : tag_b;
 	b->tag[b->n][1] = tag_a < tag_b ? tag_b : tag_a;
 	b->type[b->n] = type;
+	b->own[b->n] = rest;
 	b->rest[b->n] = length_without_force(sim, type, rest);
 	b->tension[b->n] = 0;
 	b->fresh[b->n] = 1;
@@ -149,6 +151,7 @@ size_t ts_bond_columns(const struct ts_bonds *b, struct ts_bond_column column[TS
 		{ b->tag, sizeof *b->tag, true },
 		{ b->type, sizeof *b->type, true },
 		{ b->rest, sizeof *b->rest, true },
+		{ b->own, sizeof *b->own, true },
 		{ b->tension, sizeof *b->tension, true },
 		{ b->fresh, sizeof *b->fresh, true },
 		{ b->reference, sizeof *b->reference, b->transmits },

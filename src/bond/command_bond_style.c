@@ -31,7 +31,9 @@ const struct ts_command_style ts_command_bond_style = {
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "sets the bond style",
 		   .doc = "Sets the force law of all bonds. An earlier bond style and its coefficients are "
-			  "discarded. Without a bond style bonds exert no force. A bond that extends over "
+			  "discarded. Lengths that it gave to bonds (bond_style harmonic) are "
+			  "discarded as well: the rest length is again the distance when the bond "
+			  "was created. Without a bond style bonds exert no force. A bond that extends over "
 			  "half a periodic box is an error, as it is ambiguous which image of the partner it "
 			  "holds.",
 		   .example = "bond_style contact",

@@ -162,7 +162,7 @@ static enum ts_status copy_bond(struct tsim *sim, const struct before *b, const 
 		other = copy_at_cell(b->state, at);
 		TS_TRY(ts_bonds_add(sim, (int32_t)(tag[0] + k * b->max_tag),
 				    (int32_t)(tag[1] + other * b->max_tag), bonds->type[bond],
-				    bonds->rest[bond]));
+				    bonds->own[bond]));
 		ts_bond_reference_copy(bonds, bond, bonds->n - 1,
 				       tag[0] + k * b->max_tag > tag[1] + other * b->max_tag);
 	}

@@ -64,6 +64,36 @@ agree 'a bond made within a run' "$two
 bond_coeff 1 50 1.1
 fix make all bond/create 1 1 1 1.4 1
 $(sed 's/^run 100/run 1\nunfix make\nrun 99/; s/cos(100\*\(.*\))$/cos(99.5*\1)\/cos(0.5*\1)/' <<<"$motion")"
+# Another style: the rest length is the distance when the bond was created, also after a restart and in copies.
+lengths='compute b all bond/local rest
+compute s all reduce max c_b
+thermo_style custom step c_s
+run 0'
+agree 'a style without given lengths' "$two
+bond_coeff 1 50 1.1
+create_bonds single/bond 1 1 2
+fix 1 all nve/sphere
+$lengths
+print \"is given \$(c_s) 1.1\"
+write_restart two.restart
+bond_style contact
+bond_coeff 1 stiffness 50 ultimate 1e9
+run 0
+print \"is made \$(c_s) 1.3\"
+bond_style harmonic
+bond_coeff 1 50 1.2
+run 0
+print \"is given \$(c_s) 1.2\"
+clear
+newton off
+atom_style hybrid sphere bond
+read_restart two.restart
+bond_style contact
+bond_coeff 1 stiffness 50 ultimate 1e9
+neighbor 0.3 bin
+fix 1 all nve/sphere
+$lengths
+print \"is restored \$(c_s) 1.3\""
 rejects "$two
 bond_coeff 1 0 1" 'K'
 rejects "$two
