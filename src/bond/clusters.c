@@ -12,6 +12,7 @@
 struct cluster_search {
 	const struct ts_particles *p;
 	int32_t *parent;
+	unsigned char *bonded; /* has a bond, to whichever particle */
 	int group;
 };
 
@@ -35,6 +36,10 @@ static enum ts_status join_bonds(struct tsim *sim, const struct cluster_search *
 		int32_t i = ts_identity_row(&map, bonds->tag[b][0]),
 			j = ts_identity_row(&map, bonds->tag[b][1]);
 
+		if (i >= 0)
+			t->bonded[i] = 1;
+		if (j >= 0)
+			t->bonded[j] = 1;
 		if (i >= 0 && j >= 0)
 			join_pair((void *)(uintptr_t)t, i < j ? (size_t)i : (size_t)j,
 				  i < j ? (size_t)j : (size_t)i, NULL);
@@ -59,24 +64,26 @@ enum ts_status ts_clusters_find(const struct tsim *sim, int group, double cutoff
 				struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;
-	struct cluster_search cluster_search = { p, NULL, group };
+	struct cluster_search cluster_search = { p, NULL, NULL, group };
 	enum ts_status status;
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	cluster_search.parent = ts_alloc(p->n, sizeof *cluster_search.parent);
-	if (!cluster_search.parent)
-		return TS_NOMEM;
-	status = join_clusters(sim, &cluster_search, cutoff, bonds);
+	cluster_search.bonded = ts_alloc(p->n, sizeof *cluster_search.bonded);
+	status = cluster_search.parent && cluster_search.bonded
+			 ? join_clusters(sim, &cluster_search, cutoff, bonds)
+			 : TS_NOMEM;
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
-	/* members that are not roots first: a root with a member is not isolated */
+	/* a root with a member is not isolated, nor is one that is bonded to a particle outside the group */
 	for (size_t i = 0; status == TS_OK && i < p->n; i++) {
 		size_t root = ts_sets_root(cluster_search.parent, i);
 
-		if (!ts_in_group(p, i, group) || (root == i && !alone))
+		if (!ts_in_group(p, i, group) || (root == i && !alone && !cluster_search.bonded[i]))
 			continue;
 		out->data[i] = out->data[root] = p->tag[root];
 	}
 	ts_free(cluster_search.parent);
+	ts_free(cluster_search.bonded);
 	return status;
 }

@@ -6,8 +6,8 @@
 
 /* For each local particle the smallest identity of its cluster; 0 outside the group. Particles of the
  * group are connected if their centres are nearer than `cutoff` (0: no distance criterion) and, if
- * `bonds`, if they are bonded. Particles without a connection have their own identity if `alone`, else
- * 0. */
+ * `bonds`, if they are bonded. Particles without a connection have their own identity if `alone` or if they
+ * are bonded to particles outside the group only, else 0. */
 enum ts_status ts_clusters_find(const struct tsim *sim, int group, double cutoff, bool bonds, bool alone,
 				struct ts_table *out);
 

@@ -86,6 +86,17 @@ print \"is none \$(c_n[2]) 0\"
 print \"is fragments \$(c_n[3]) 6\"
 print \"is single \$(c_n[4]) \$(6+1+3+5)\"
 print \"is aggregates \$(c_n[5]) 6\""
+# a bond to a particle outside the group: a fragment of one, unlike a particle without bonds
+agree 'fragments of a group' "$six
+bond_style contact
+bond_coeff * stiffness 1931 ultimate 1000
+create_bonds single/bond 1 2 4
+group some id 1 4 5
+compute f some fragment/atom
+compute fs some fragment/atom single yes
+compute n all reduce sum c_f c_fs
+print \"is fragments \$(c_n[1]) 4\"
+print \"is single \$(c_n[2]) \$(1+4+5)\""
 agree 'pairs: partners, distances, forces' "$six
 velocity all set 0.5 0 0
 set atom 1 vy 0.2
