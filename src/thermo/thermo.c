@@ -253,16 +253,34 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 	return write_line(t, sim);
 }
 
+static bool ends_run(const struct tsim *sim)
+{
+	const struct ts_clock *c = &sim->clock;
+
+	return (c->step == c->last_step && !sim->run.in_pieces) || (sim->requests.stop && sim->run.complete);
+}
+
+static bool asks(const struct ts_thermo *t, int64_t step)
+{
+	return t->variable ? step == t->next : t->every && step % t->every == 0;
+}
+
+/* Once a row is counted, `next` is the step of the one after it. */
+bool ts_thermo_is_due(const struct tsim *sim)
+{
+	const int64_t step = sim->clock.step;
+
+	return ends_run(sim) || sim->thermo->counted == step + 1 || asks(sim->thermo, step);
+}
+
 /* Whether a row is due. Only rows due by `every` or `variable`, each once, may advance variables that read
  * from files (reading.probing is false): then a run cut in two reads the same lines as the whole run. */
 static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 {
 	const struct ts_clock *c = &sim->clock;
-	bool asked =
-		(!t->variable && t->every && c->step % t->every == 0) || (t->variable && c->step == t->next);
+	bool asked = asks(t, c->step);
 
-	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->run.in_pieces) ||
-	       (sim->requests.stop && sim->run.complete);
+	*due = asked || c->step == c->first_step || ends_run(sim);
 	sim->reading.probing = !asked || t->counted == c->step + 1;
 	if (asked)
 		t->counted = c->step + 1;

@@ -40,6 +40,9 @@ struct ts_thermo {
 
 extern const struct ts_system_style ts_thermo_system;
 
+/* Whether a row is due in this step of a run, by `thermo` or because the run ends. */
+bool ts_thermo_is_due(const struct tsim *sim);
+
 /* Replaces the columns and restores the default formats. */
 enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool multi);
 /* Sets formats from the arguments of thermo_modify format; see io/format.h. */
