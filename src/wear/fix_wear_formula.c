@@ -116,10 +116,22 @@ static const struct ts_arg setting_rows[] = {
 	TS_ARGS_END,
 };
 
+/* A variable that takes the number which it has already is of style internal. */
+static enum ts_status require_internal(struct tsim *sim, const struct ts_word *name)
+{
+	const struct ts_script_api *api = sim->script_api;
+	double number;
+
+	TS_TRY(api->scalar(sim->script_api_data, name->text, &name->place, &number));
+	return api->set(sim->script_api_data, name->text, &name->place, number);
+}
+
 static enum ts_status read_settings(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
+	for (int q = 0; q < QUANTITIES; q++)
+		s->variable[q] = NULL;
 	for (size_t k = 0; k < s->set.n; k += 2) {
 		struct ts_words pair = ts_words_from(s->set, k);
 		struct setting one = { 0 };
@@ -128,6 +140,13 @@ static enum ts_status read_settings(struct ts_instance *self, struct tsim *sim)
 			pair.n = 2;
 		TS_TRY(ts_args_parse(sim, "fix wear/formula: set", setting_rows, pair, &self->where,
 				     &self->arena, &one));
+		if (s->variable[one.quantity])
+			return ts_fail(&sim->error, TS_SYNTAX, &pair.word[0].place,
+				       "fix wear/formula: set %s %s: variable '%s' gets this quantity "
+				       "already; name "
+				       "that one in the formula",
+				       quantity_names[one.quantity], one.name, s->variable[one.quantity]);
+		TS_TRY(require_internal(sim, &pair.word[1]));
 		s->variable[one.quantity] = one.name;
 	}
 	return TS_OK;
@@ -150,7 +169,7 @@ static const struct ts_arg args[] = {
 		  .help = "that an impact removes: v_NAME of an equal-style variable, or a number"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
 			.help = "QUANTITY NAME: internal-style variable that is set to a quantity of the "
-				"impact before the volume is evaluated; may be repeated"),
+				"impact before the volume is evaluated; may be repeated, each quantity once"),
 	TS_WEAR_HARDNESS_ARG(struct state, hardness),
 	TS_ARGS_END,
 };

@@ -150,5 +150,13 @@ wrong 'volume not finite' 'is too large for a number' 'variable a internal 0' 'v
 	'fix scar all wear/formula surface floor volume v_w set angle a'
 wrong 'unknown quantity' 'speed' 'variable a internal 0' 'fix scar all wear/formula surface floor volume 1 set sped a'
 wrong 'no variable' 'nothing' 'fix scar all wear/formula surface floor volume 1 set speed nothing'
+wrong 'a variable that is not internal' "'a' is of style equal; one of style internal" 'variable a equal 1' \
+	'fix scar all wear/formula surface floor volume 1 set speed a'
+wrong 'a quantity twice' "variable 'a' gets this quantity already" 'variable a internal 0' 'variable b internal 0' \
+	'fix scar all wear/formula surface floor volume 1 set speed a set angle b set speed b'
+# before the first impact, as -check does
+printf '%s\n' 'fix scar all wear/formula surface floor volume 1 set speed nothing' >in.wear
+refused 'no variable, -check' "unknown variable 'nothing'" -check -in in.hit -var n 20 -var t 20 -var units si -var length 1 \
+	-var mass 1 -var time 1 -var pressure 1 -var velocity 1
 units=lj wrong 'no SI units' 'units lj have no equivalent' 'fix scar all wear/oka surface floor particles sio2 hardness 1'
 finish
