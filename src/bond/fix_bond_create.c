@@ -250,9 +250,10 @@ const struct ts_style ts_fix_bond_create = {
 	       "types, closer than Rmin and not bonded, may get a bond, whose rest length is their distance. "
 	       "A pair is bonded if each of the two is the nearest of these partners of the other, so that a "
 	       "particle gets at most one bond in a step; with `prob` only with this probability. Particles "
-	       "with MAXBOND bonds of this type get no more, and become particles of NEWTYPE. The random "
-	       "numbers are functions of the seed, the step and the IDs of the particles; they are not those "
-	       "of LAMMPS. f_ID[1] is the number of bonds created in the last step in which this fix acted, "
+	       "with MAXBOND bonds of this type get no more, and become particles of NEWTYPE; a bond that "
+	       "broke does not count, in LAMMPS it does if fix bond/break deleted it. The random numbers are "
+	       "functions of the seed, the step and the IDs of the particles; they are not those of LAMMPS. "
+	       "f_ID[1] is the number of bonds created in the last step in which this fix acted, "
 	       "f_ID[2] in all. fix bond/create/gran bonds all near pairs.",
 	.example = "fix join all bond/create 10 1 2 0.8 1\n"
 		   "fix join all bond/create 1 1 1 1.05 1 prob 0.5 85784 iparam 2 1 jparam 2 1",

@@ -24,7 +24,8 @@ const struct ts_style ts_compute_active_pi = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Active particles in chemical-mechanical polishing: particle indentation model",
 	.doc = "Number of abrasive particles that are pressed between a pad and a wafer. The particles, of "
-	       "mean volume V_p, fill the volume fraction phi of the slurry. Eligible are those that would "
+	       "the volume V_p of one with the mean radius, fill the volume fraction phi of the slurry. "
+	       "Eligible are those that would "
 	       "be in the volume of the asperities that touch the wafer; active are those with a diameter "
 	       "above the distance t at which the largest particle, of radius a_max, keeps wafer and "
 	       "asperities apart:\n\n"
