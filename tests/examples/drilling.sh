@@ -23,6 +23,10 @@ check "it prints its results" $status
 if grep -E '^RESULT.*[0-9.]{11}' one.txt; then status=1; fi
 check "its own checks hold" $status
 
+"$TSIM" -in in.drilling -var T 40 -var land 50 -log none >short.txt && status=0 || status=$?
+[ "$status" = 1 ] && grep -q 'two time units at least; found: T 40, land 50' short.txt && status=0 || status=1
+check "a run without a rate is refused at its start" $status
+
 # grain 1: also short loops are shared, which is not worth it but must not change anything
 printf 'package omp 2 grain 1\ninclude in.drilling\n' >in.two
 OMP_WAIT_POLICY=passive "$TSIM" -in in.two $small -var out two >two.txt

@@ -26,6 +26,7 @@ report 'the stagnation flow at another angle is refused' $? out
 results 'clumps with corners: the factor at 30 degrees' in.shape 6 -var grains 20
 [ "$(grep -c '^[39]0 ' post/shape.txt)" = 10 ]
 report 'all corners' $? post/shape.txt
+results 'one radius of the corners' in.shape 3 -var grains 20 -var corner 0.5
 # what -explain says is left out
 explained() { # WHAT MODEL PATTERN
 	"$TSIM" -explain -in in.ladder -log none -var model "$2" >out 2>&1 </dev/null

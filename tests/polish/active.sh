@@ -9,6 +9,9 @@ results 'the example' in.active 5
 [ "$(wc -l <post/spread.txt)" = 9 ] && [ "$(wc -l <post/modulus.txt)" = 20 ]
 report 'its tables' $? post/modulus.txt
 results 'the wafer' in.wafer 2 -var pads 4
+# a single pad has no standard error
+results 'the example with one pad' in.active 5 -var pads 1
+results 'the wafer on one pad' in.wafer 2 -var pads 1
 cd ..
 
 # A quarter of the columns is 1 high, the others 0; the plane is pressed 0.1 deep into springs of stiffness 8: p = 0.2
