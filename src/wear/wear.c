@@ -156,6 +156,7 @@ static enum ts_status eval_totals(struct ts_instance *self, const struct tsim *s
 	double volume = TOTAL(w, volume), mass = TOTAL(w, mass);
 	double removed = isnan(w->density) ? 0 : w->density * volume;
 	double taken = EVOLVED(w, taken), surplus = EVOLVED(w, surplus);
+	double pending = fmax(volume - taken - surplus, 0); /* not -1e-27 by round-off */
 	double totals[] = { volume,
 			    quotient(volume, mass),
 			    TOTAL(w, hits),
@@ -165,7 +166,7 @@ static enum ts_status eval_totals(struct ts_instance *self, const struct tsim *s
 			    removed,
 			    quotient(removed, mass),
 			    taken,
-			    w->evolution.on ? volume - taken - surplus : 0,
+			    w->evolution.on ? pending : 0,
 			    surplus,
 			    EVOLVED(w, through) };
 
