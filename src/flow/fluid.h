@@ -106,8 +106,11 @@ struct ts_fluid {
 	int64_t steps;	   /* number of steps of the fluid since its beginning */
 	double courant;	   /* largest sum |u| dt/h in the last step */
 	double divergence; /* largest |div(e u) + de/dt| after the last projection (1/time) */
-	double residual;   /* largest |change of u|/dt in the last step (velocity/time) */
-	int iterations;	   /* of the pressure solver in the last projection */
+	/* div(e u) + de/dt as the projection requires it, everywhere (1/time): not 0 if particles change the volume of the fluid
+	 * in a closed grid, which it cannot leave. */
+	double excess;
+	double residual;  /* largest |change of u|/dt in the last step (velocity/time) */
+	int iterations;	  /* of the pressure solver in the last projection */
 	bool incremental; /* incremental projection: the predictor contains the old pressure gradient, and the
 			    * projection solves for the change of the pressure */
 	/* acceleration of all fluid: mean over this substep, or step (body_force of the style) */
@@ -254,6 +257,9 @@ struct ts_flow_part {
 	/* The scalar field that the fix advances, at centres, ghosts set: f_ID in dumps and probes
 	 * (flow/transported_scalars.h). */
 	const double *(*scalar)(struct ts_instance *self);
+	/* Whether its value on the lower or upper face across axis d is given: it is the mean of the values on both sides. NULL:
+	 * on none. */
+	bool (*scalar_given)(const struct ts_instance *self, int d, int side);
 	/* Adds the force of the last step on the mesh (load[0]) and the torque about the anchor of the
 	 * mesh (load[1]); raises *virtual_density to the virtual mass per volume of a freely moving body
 	 * (immersed/virtual_mass_stabilization.h). */

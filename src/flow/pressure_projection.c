@@ -229,6 +229,7 @@ enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct t
 
 	TS_TRY(ts_projection_solver(self, sim, held));
 	TS_TRY(ts_projection_net_outflow(self, sim, &mean));
+	fluid->excess = mean;
 	make_right_hand_side(p, fluid->density / dt, mean);
 	if (ts_projection_impose_pressure(p) != TS_OK)
 		return ts_nomem(&sim->error);

@@ -2,12 +2,14 @@
 #include "scalar/scalar_transport.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "coupling/cell_order.h"
 #include "coupling/near_particles.h"
 #include "coupling/interpolation_weights.h"
 #include "coupling/sphere_rows.h"
+#include "flow/boundary.h"
 #include "flow/flow.h"
 #include "flow/fluid_slabs.h"
 #include "flow/flow_arguments.h"
@@ -38,8 +40,15 @@ struct state {
 	struct ts_number initial, source;
 	struct ts_words set, face_words[FACES];
 	struct condition condition[FACES];
+	/* What is given now and was at the last step of the fluid: on faces, then the source, as the transport takes it. It is
+	 * interpolated between them. */
+	double given_now[FACES + 1], given_before[FACES + 1];
+	bool before_known;
+	int32_t before_kind[FACES]; /* of the conditions */
+	int64_t before_resets;	    /* clock.resets then */
 
 	struct ts_fluid *fluid;
+	const struct ts_projection *projection;
 	struct ts_heat *heat;
 	struct ts_transport transport;
 	struct ts_cell_order order;
@@ -88,6 +97,22 @@ static enum ts_status read_face_conditions(struct ts_instance *self, struct tsim
 	return TS_OK;
 }
 
+static enum ts_status check_face(struct ts_instance *self, struct tsim *sim, int k)
+{
+	const struct ts_grid *grid = &((const struct state *)self->state)->fluid->grid;
+	const struct ts_place *where = ts_instance_word(self, faces[k]);
+
+	if (grid->periodic[k / 2])
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "fix flow/scalar: the grid is periodic there, it has no face %s", faces[k]);
+	if (k / 2 >= grid->dimensions)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "fix flow/scalar: %s: with one cell along z nothing varies there: none only; "
+			       "leave it out, or give heat per volume as `source`",
+			       faces[k]);
+	return TS_OK;
+}
+
 /* Evaluates the conditions on faces and the source; fluxes are converted to T times velocity. */
 static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim *sim)
 {
@@ -96,21 +121,51 @@ static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim 
 
 	for (int k = 0; k < FACES; k++) {
 		const struct condition *c = &s->condition[k];
-		struct ts_scalar_face *face = &s->transport.face[k / 2][k % 2];
 
-		face->condition = c->kind;
+		s->transport.face[k / 2][k % 2].condition = c->kind;
 		if (c->kind == TS_SCALAR_NONE)
 			continue;
-		if (s->fluid->grid.periodic[k / 2])
-			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, faces[k]),
-				       "fix flow/scalar: the grid is periodic there, it has no face %s",
-				       faces[k]);
-		TS_TRY(ts_number_now(sim, &c->number, &self->where, &face->now));
+		TS_TRY(check_face(self, sim, k));
+		TS_TRY(ts_number_now(sim, &c->number, &self->where, &s->given_now[k]));
 		if (c->kind == TS_SCALAR_FLUX)
-			face->now /= amount;
+			s->given_now[k] /= amount;
 	}
-	TS_TRY(ts_number_now(sim, &s->source, &self->where, &s->transport.constant));
-	s->transport.constant /= amount;
+	TS_TRY(ts_number_now(sim, &s->source, &self->where, &s->given_now[FACES]));
+	s->given_now[FACES] /= amount;
+	return TS_OK;
+}
+
+/* Sets what is given to that at a fraction of the step of the fluid. */
+static void interpolate_conditions(struct state *s, double fraction)
+{
+	for (int k = 0; k <= FACES; k++) {
+		double *to = k < FACES ? &s->transport.face[k / 2][k % 2].now : &s->transport.constant;
+
+		*to = ts_flow_interpolate_time(s->given_before[k], s->given_now[k], fraction);
+	}
+}
+
+static void store_conditions(struct state *s, const struct tsim *sim)
+{
+	memcpy(s->given_before, s->given_now, sizeof s->given_before);
+	for (int k = 0; k < FACES; k++)
+		s->before_kind[k] = s->condition[k].kind;
+	s->before_known = true;
+	s->before_resets = sim->clock.resets;
+}
+
+/* At the beginning of a run, in which T is that after the last step of the fluid. */
+static enum ts_status begin_conditions(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(evaluate_conditions(self, sim));
+	s->before_known &= s->before_resets == sim->clock.resets; /* else the last step had another time */
+	for (int k = 0; k < FACES; k++)				  /* a restart file may have others */
+		s->before_known &= s->before_kind[k] == s->condition[k].kind;
+	if (!s->before_known || ts_projection_not_started(s->projection))
+		store_conditions(s, sim);
+	interpolate_conditions(s, 0);
 	return TS_OK;
 }
 
@@ -123,6 +178,11 @@ static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *s
 	enum ts_status status =
 		ts_flow_read_set(sim, "fix flow/scalar: set", s->set, &self->where, &arena, set);
 
+	if (status == TS_OK && s->set.n && !s->initial.variable)
+		status = ts_fail(&sim->error, TS_SYNTAX, &s->set.word[0].place,
+				 "fix flow/scalar: set %s: `initial` is the number %g, which does not depend "
+				 "on coordinates; give it as v_NAME, or leave out set",
+				 s->set.word[0].text, s->initial.value);
 	for (int k = 0; k < grid->n[2] && status == TS_OK; k++) {
 		if (!ts_fluid_has_plane(s->fluid, k))
 			continue;
@@ -216,6 +276,11 @@ static const double *scalar(struct ts_instance *self)
 	return s->transport.value;
 }
 
+static bool value_given(const struct ts_instance *self, int d, int side)
+{
+	return ((const struct state *)self->state)->transport.face[d][side].condition == TS_SCALAR_VALUE;
+}
+
 static void list_fields(struct ts_instance *self, struct ts_flow_part_fields *out)
 {
 	struct state *s = self->state;
@@ -257,9 +322,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_projection_require(sim, "fix flow/scalar", &self->where, &flow, &projection));
 	s->fluid = &projection->fluid;
+	s->projection = projection;
 	if (!s->known)
 		TS_TRY(ts_projection_setup(flow, sim)); /* the grid of the present box */
 	s->part.scalar = scalar;
+	s->part.scalar_given = value_given;
 	s->part.after_substep = advance_scalar;
 	s->part.after_step = finish_step;
 	s->part.rehearse = rehearse;
@@ -274,7 +341,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(make_fields(self, sim));
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
-	TS_TRY(evaluate_conditions(self, sim));
+	TS_TRY(begin_conditions(self, sim));
 	TS_TRY(begin_field(self, sim));
 	warn_of_bodies(self, sim);
 	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
@@ -377,19 +444,32 @@ static enum ts_status count_substeps(struct ts_instance *self, struct tsim *sim,
 		       ts_transport_limit(&s->transport, s->fluid), dt, parts, MOST);
 }
 
+/* Rate at which the volume of the fluid changes, 1/time; 0 if its change over dt may be round-off. */
+static double excess_of(const struct ts_fluid *fluid, double dt)
+{
+	static const double ROUND_OFF = 1e-14;
+
+	return fabs(fluid->excess) * dt > ROUND_OFF ? fluid->excess : 0;
+}
+
 static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				     double dt)
 {
 	struct state *s = self->state;
+	const double at = (double)s->projection->now_at, substeps = (double)s->projection->done;
 	long n;
 
 	s->given = false;
 	TS_TRY(evaluate_conditions(self, sim));
+	interpolate_conditions(s, (at + 0.5) / substeps); /* the mean, which keeps the second order */
+	s->transport.excess = excess_of(fluid, dt);
 	if (s->steps > 1) /* the mean over these steps */
 		ts_fluid_divide_field(fluid, s->transport.source, (double)s->steps);
 	s->steps = s->steps ? 1 : 0;
 	TS_TRY(count_substeps(self, sim, dt, &n));
 	ts_transport_advance(&s->transport, fluid, dt, n, ts_team(sim, s->size));
+	interpolate_conditions(s, (at + 1) / substeps);
+	ts_transport_fill(&s->transport, fluid, s->transport.value);
 	return TS_OK;
 }
 
@@ -398,8 +478,8 @@ static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, st
 {
 	struct state *s = self->state;
 
-	(void)sim;
 	(void)length;
+	store_conditions(s, sim);
 	if (s->heat)
 		ts_fluid_clear(fluid, s->transport.source);
 	s->steps = 0;
@@ -410,6 +490,17 @@ static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, st
 
 /* ---- state and outputs */
 
+/* Older files do not have them. */
+static enum ts_status archive_conditions(struct state *s, struct ts_archive *a)
+{
+	if (ts_archive_writing(a) ? !s->before_known : !ts_archive_has(a, "given_before"))
+		return TS_OK;
+	s->before_known = true;
+	TS_TRY(ts_archive_fixed(a, "before_resets", TS_SAVED_I64, &s->before_resets, 1));
+	TS_TRY(ts_archive_fixed(a, "before_kind", TS_SAVED_I32, s->before_kind, FACES));
+	return ts_archive_fixed(a, "given_before", TS_SAVED_F64, s->given_before, FACES + 1);
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
@@ -418,6 +509,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	ts_flow_complete(sim);
 	TS_TRY(ts_archive_fixed(a, "value", TS_SAVED_F64, t->value, s->size));
 	TS_TRY(ts_archive_fixed(a, "source", TS_SAVED_F64, t->source, s->size));
+	TS_TRY(archive_conditions(s, a));
 	return t->void_fraction ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->void_fraction, s->size)
 				: TS_OK;
 }
@@ -504,12 +596,73 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
+/* Sums the conductances of particles, per volume, in the cells that give them heat. */
+static void sum_conductances(const struct ts_instance *self, const struct tsim *sim, double *sum)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_coupling_weights weights;
+		double place[3];
+		int cell[3];
+
+		if (!ts_in_group(p, i, self->group) || !ts_coupling_locate(s->fluid, p->x[i], place, cell))
+			continue;
+		ts_coupling_weights_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &weights);
+		ts_coupling_distribute_force(&s->fluid->grid, &weights, -1, s->transport.value,
+					     -heat_conductance(s, sim, i, place), 0, sum, NULL);
+	}
+}
+
+/* Largest rate k/(rho c e) of dT/dt = -k (T - T_p)/(rho c e). Weights sum to 1, so no mode of T relaxes faster. */
+static enum ts_status exchange_rate(const struct ts_instance *self, struct tsim *sim, double *rate)
+{
+	const struct state *s = self->state;
+	const struct ts_fluid *fluid = s->fluid;
+	double *k = ts_grid_field(&fluid->grid);
+
+	if (!k)
+		return ts_nomem(&sim->error);
+	sum_conductances(self, sim, k);
+	for (size_t at = 0; at < fluid->grid.size; at++)
+		if (k[at] > 0)
+			*rate = fmax(*rate, k[at] / (fluid->void_fraction ? fluid->void_fraction[at] : 1));
+	*rate /= fluid->density * s->capacity;
+	ts_grid_field_free(k);
+	return TS_OK;
+}
+
+/* The fluid gives the heat of `every` steps with the T that it has at their beginning. */
+static enum ts_status limit_exchange(struct ts_instance *self, struct tsim *sim,
+				     struct ts_plan_report *report)
+{
+	static const double BLOCKS = 8; /* of ranks that may meet in a cell */
+	const struct state *s = self->state;
+	struct ts_fluid *fluid = s->fluid;
+	double rate = 0;
+
+	if (!s->heat)
+		return TS_OK;
+	if (!sim->division)
+		TS_TRY(ts_flow_require_fields(sim, "fix flow/scalar", &self->where, &fluid));
+	TS_TRY(ts_near_particles_ready(fluid, sim));
+	TS_TRY(exchange_rate(self, sim, &rate));
+	rate *= (double)s->projection->every;
+	report->undecided |= sim->division && BLOCKS * rate * sim->clock.dt > 1;
+	return ts_report_limit(report, rate > 0 ? 1 / rate : INFINITY, false, &self->where,
+			       "explicit heat exchange of fix flow/scalar, rho c e V/sum(pi d k Nu) of a "
+			       "cell "
+			       "divided by `every`");
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
-	const struct ts_projection *p = ts_sim_only(sim, TS_KIND_FLOW)->state;
+	const struct ts_projection *p = s->projection;
 	long n;
 
+	TS_TRY(limit_exchange(self, sim, report));
 	if (report->limits_only)
 		return TS_OK;
 	if (p->substeps) /* else the fluid chooses its steps later */
@@ -571,20 +724,39 @@ const struct ts_style ts_fix_flow_scalar = {
 	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void "
 	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any "
 	       "concentration with diffusivity D. The finite-volume scheme is conservative. Steps of the "
-	       "fluid are divided into substeps if the stability of the scheme requires it. Bodies of fix "
+	       "fluid are divided into substeps if the stability of the scheme requires it. The time scheme "
+	       "is "
+	       "Heun's, with `convection central` the Runge-Kutta scheme of third order, because central "
+	       "differences without conduction are unstable with Heun's. Bodies of fix "
 	       "immersed/boundary conduct as the fluid does, which is warned of.\n\n"
 	       "`initial` is evaluated in the cells of the grid with which the first run begins. After a run "
-	       "each cell keeps its T if the grid changes, with a warning.\n\n"
+	       "each cell keeps its T if the grid changes, with a warning. `set` needs an `initial` "
+	       "v_NAME.\n\n"
 	       "On a face of the grid either T is given (`value`), or the heat flux by conduction (`flux`), "
 	       "or there is no conduction (`none`, the default). An inflow should have a value; otherwise "
-	       "the fluid enters with the T of the first cell.\n\n"
+	       "the fluid enters with the T of the first cell. Values, fluxes and a source that vary are "
+	       "linear "
+	       "in time within a step of the fluid, which is of second order. In two dimensions the faces "
+	       "zlo "
+	       "and zhi have no conditions.\n\n"
+	       "If particles are inserted into a closed grid or removed from it, the volume of the "
+	       "incompressible fluid changes without flow across the faces. What vanishes or appears has the "
+	       "T "
+	       "of the cell: T does not change, and the heat in the fluid changes with its volume.\n\n"
 	       "`exchange ranz_marshall` transfers to each particle of the group the heat per time Q = pi "
 	       "d^2 h (T - T_p), with h = Nu k/d, Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, "
 	       "and takes it from the fluid; T_p is the temperature of fix heat/gran. In two dimensions, "
 	       "where heat is per unit depth, Q is that of a row of 3/(2 d) spheres per unit depth, whose "
-	       "volume is that of the disc.\n\n"
+	       "volume is that of the disc. The exchange is explicit: a warning is given if the time step "
+	       "exceeds "
+	       "rho c e V/sum(pi d k Nu), the sum over the particles in a cell of volume V, divided by N "
+	       "with "
+	       "`every N` of the flow style. T oscillates beyond it, and diverges beyond twice of it.\n\n"
 	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, f_ID[2] the heat "
-	       "per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T; "
+	       "per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T. In the "
+	       "first "
+	       "step of the fluid de/dt is not known and taken as 0: T is kept while e becomes that of the "
+	       "particles after the step, and f_ID[1] changes accordingly; from then on heat is conserved. "
 	       "f_ID[i][j] is for cell i the centre (j = 1, 2, 3) and T (j = 4).",
 	.example =
 		"flow_style projection cells 32 32 1 viscosity 1.8e-5 density 1.2\n"

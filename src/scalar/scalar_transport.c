@@ -51,12 +51,17 @@ static void set_ghosts_by_value(const struct ts_fluid *fluid, int d, int side, d
 void ts_transport_fill(const struct ts_transport *t, const struct ts_fluid *fluid, double *value)
 {
 	const struct ts_grid *grid = &fluid->grid;
+	bool given = false;
 
 	ts_fluid_fill_centred(fluid, value);
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
-			if (t->face[d][side].condition == TS_SCALAR_VALUE)
+			if (t->face[d][side].condition == TS_SCALAR_VALUE) {
 				set_ghosts_by_value(fluid, d, side, t->face[d][side].now, value);
+				given = true;
+			}
+	if (given) /* where both are beyond the grid */
+		ts_fluid_fill_periodic(fluid, value);
 }
 
 /* T convected through an inner face, from the second and first point upwind and the first downwind. */
@@ -122,7 +127,7 @@ static void find_rate(const struct ts_transport *t, const struct ts_fluid *fluid
 
 		for (; i[0] < grid->n[0]; i[0]++) {
 			size_t at = ts_at(grid, i[0], i[1], i[2]);
-			double sum = t->constant + t->source[at];
+			double sum = t->constant + t->source[at] + t->excess * value[at];
 
 			for (int d = 0; d < grid->dimensions; d++)
 				sum += (scalar_flux(t, fluid, d, i[d], at, value) -
@@ -132,6 +137,41 @@ static void find_rate(const struct ts_transport *t, const struct ts_fluid *fluid
 			t->rate[at] = sum;
 		}
 	}
+}
+
+/* Largest rate at which T of a cell decays by convection and conduction along d. */
+static double rate_along(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m, size_t at)
+{
+	const double h = fluid->grid.width[d][m];
+	const double u = fmax(fabs(fluid->u[d][at]), fabs(fluid->u[d][at + (size_t)fluid->grid.stride[d]]));
+
+	return 2 * u / h + 2 * t->diffusivity / (h * h);
+}
+
+/* Void fraction of the lower face m across d: the mean over the halves of the cells beside it. */
+static double void_fraction_of_face(const struct ts_fluid *fluid, int d, int m, size_t at)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const double *e = fluid->void_fraction;
+	const double below = grid->width[d][m > 0 ? m - 1 : 0],
+		     above = grid->width[d][m < grid->n[d] ? m : m - 1];
+
+	return (below * e[at - (size_t)grid->stride[d]] + above * e[at]) / (below + above);
+}
+
+/* The same with a void fraction e: T of a dense cell changes faster, by e of the face over e of the cell. */
+static double rate_along_with_void(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m,
+				   size_t at)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t next = at + (size_t)grid->stride[d];
+	const double h = grid->width[d][m], *gap = grid->gap[d] + m;
+	const double low = void_fraction_of_face(fluid, d, m, at),
+		     high = void_fraction_of_face(fluid, d, m + 1, next);
+	const double flow = fmax(low * fabs(fluid->u[d][at]), high * fabs(fluid->u[d][next]));
+
+	return (2 * flow / h + t->diffusivity / h * (low / gap[0] + high / gap[1])) /
+	       fmin(fluid->void_fraction[at], t->void_fraction[at]);
 }
 
 double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *fluid)
@@ -148,13 +188,9 @@ double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *f
 			size_t at = ts_at(grid, m[0], m[1], m[2]);
 			double sum = 0;
 
-			for (int d = 0; d < grid->dimensions; d++) {
-				double h = grid->width[d][m[d]];
-				double u = fmax(fabs(fluid->u[d][at]),
-						fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
-
-				sum += 2 * u / h + 2 * t->diffusivity / (h * h);
-			}
+			for (int d = 0; d < grid->dimensions; d++)
+				sum += t->void_fraction ? rate_along_with_void(t, fluid, d, m[d], at)
+							: rate_along(t, fluid, d, m[d], at);
 			most = fmax(most, sum);
 		}
 	}
@@ -168,45 +204,71 @@ static double void_fraction_after(const struct ts_transport *t, const struct ts_
 	return t->void_fraction[k] + dt * fluid->void_fraction_rate[k];
 }
 
-/* Returns `part` times T after dt, from the rate of e T; t->void_fraction is not changed. */
-static double value_after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
-			  double content, double dt)
-{
-	double e = t->void_fraction ? void_fraction_after(t, fluid, k, dt) : 1;
+/* Runge-Kutta methods as convex combinations of Euler steps (Shu & Osher): the contents e T after a stage are part times
+ * (first times those at the beginning + those of the stage before after an Euler step). */
+struct stage {
+	double part, first;
+	double from, to; /* times of the stage before and of this one, in steps */
+};
+enum { MOST_STAGES = 3 };
+static const struct method {
+	int stages;
+	struct stage stage[MOST_STAGES];
+} heun = { 2, { { 1, 0, 0, 1 }, { 0.5, 1, 1, 1 } } },
+  third_order = { 3, { { 1, 0, 0, 1 }, { 0.25, 3, 1, 0.5 }, { 2.0 / 3, 0.5, 0.5, 1 } } };
 
-	return e > 0 ? part * (content + dt * t->rate[k]) / e : 0; /* e is 0 in the padding between rows */
+/* Central differences do not damp what is convected, and by Heun's method it grows. */
+static const struct method *method_of(const struct ts_transport *t)
+{
+	return t->scheme == TS_SCALAR_CENTRAL ? &third_order : &heun;
 }
 
-/* Heun's method: `stage` is T after an Euler step; the result is the mean of T and of `stage` after a
- * second Euler step. */
-static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
+/* T after a stage of a step of length dt from T of the stage before, and the rate of its e T. */
+static void make_stage(const struct ts_transport *t, const struct ts_fluid *fluid, const struct stage *stage,
+		       double dt, const double *before, double *after, int threads)
 {
-	double *e = t->void_fraction;
+	const double *e = t->void_fraction;
 	size_t first, end;
 
 	ts_fluid_slabs_values(fluid, &first, &end);
-	ts_transport_fill(t, fluid, t->value);
-	find_rate(t, fluid, t->value, threads);
-#pragma omp parallel for num_threads(threads) schedule(static)
-	for (size_t k = first; k < end; k++)
-		t->stage[k] = value_after(t, fluid, k, 1, (e ? e[k] : 1) * t->value[k], dt);
-	ts_fluid_slabs_share_halo(fluid, t->stage);
-	ts_transport_fill(t, fluid, t->stage);
-	find_rate(t, fluid, t->stage, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
 	for (size_t k = first; k < end; k++) {
-		double then = e ? void_fraction_after(t, fluid, k, dt) : 1;
+		double last = e ? void_fraction_after(t, fluid, k, stage->from * dt) : 1,
+		       next = e ? void_fraction_after(t, fluid, k, stage->to * dt) : 1;
+		double content = stage->first * ((e ? e[k] : 1) * t->value[k]) + last * before[k];
 
-		t->value[k] =
-			value_after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
+		/* e is 0 in the padding between rows */
+		after[k] = next > 0 ? stage->part * (content + dt * t->rate[k]) / next : 0;
 	}
-	ts_fluid_slabs_share_halo(fluid, t->value);
-	for (int range = 0; range < ts_fluid_ranges(fluid) && e; range++) {
+}
+
+static void advance_void_fraction(struct ts_transport *t, const struct ts_fluid *fluid, double dt,
+				  int threads)
+{
+	size_t first, end;
+
+	for (int range = 0; range < ts_fluid_ranges(fluid) && t->void_fraction; range++) {
 		ts_fluid_range_values(fluid, range, &first, &end);
 #pragma omp parallel for num_threads(threads) schedule(static)
 		for (size_t k = first; k < end; k++)
-			e[k] = void_fraction_after(t, fluid, k, dt);
+			t->void_fraction[k] = void_fraction_after(t, fluid, k, dt);
 	}
+}
+
+static void make_substep(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
+{
+	const struct method *method = method_of(t);
+
+	for (int s = 0; s < method->stages; s++) {
+		double *before = s == 0 ? t->value : t->stage;
+		double *after = s == method->stages - 1 ? t->value : t->stage;
+
+		ts_transport_fill(t, fluid, before);
+		find_rate(t, fluid, before, threads);
+		make_stage(t, fluid, &method->stage[s], dt, before, after, threads);
+		ts_fluid_slabs_share_halo(fluid, after);
+	}
+	advance_void_fraction(t, fluid, dt, threads);
 }
 
 double ts_transport_parts(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
@@ -217,7 +279,8 @@ double ts_transport_parts(const struct ts_transport *t, const struct ts_fluid *f
 void ts_transport_rehearse(const struct ts_transport *t, const struct ts_fluid *fluid, double dt)
 {
 	for (long k = (long)ts_transport_parts(t, fluid, dt); k > 0; k--) {
-		ts_fluid_slabs_share_halo(fluid, t->stage);
+		for (int s = method_of(t)->stages; s > 1; s--)
+			ts_fluid_slabs_share_halo(fluid, t->stage);
 		ts_fluid_slabs_share_halo(fluid, t->value);
 	}
 }
@@ -226,6 +289,5 @@ void ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, 
 			  int threads)
 {
 	for (long k = 0; k < parts; k++)
-		heun_step(t, fluid, dt / (double)parts, threads);
-	ts_transport_fill(t, fluid, t->value);
+		make_substep(t, fluid, dt / (double)parts, threads);
 }

@@ -1,9 +1,11 @@
-/* Transport of a scalar T by the fluid: d(e T)/dt + div(e u T) = div(e D grad T) + s, T at cell centres.
+/* Transport of a scalar T by the fluid: d(e T)/dt + div(e u T) = div(e D grad T) + s + x T, T at cell centres;
+ * x = div(e u) + de/dt is 0 except in closed grids.
  *
  * Conservative finite volumes. Convection by donor cell, central differences, or van Leer's limiter, which
- * is of second order and bounded (J. Comput. Phys. 14 (1974) 361); in time Heun's method, which preserves
- * the bounds (Shu & Osher, J. Comput. Phys. 77 (1988) 439) for steps up to 1/(max of sum 2 |u|/h + 2
- * D/h^2). The velocity is that at the end of the step of the fluid. */
+ * is of second order and bounded (J. Comput. Phys. 14 (1974) 361); in time the Runge-Kutta methods of Shu & Osher (J.
+ * Comput. Phys. 77 (1988) 439), which preserve the bounds for steps up to 1/(max of sum 2 |u|/h + 2 D/h^2): with central
+ * differences that of third order, which is stable without conduction, else Heun's. The velocity is that at the end of
+ * the step of the fluid. */
 #ifndef TS_SCALAR_SCALAR_TRANSPORT_H
 #define TS_SCALAR_SCALAR_TRANSPORT_H
 
@@ -24,6 +26,7 @@ struct ts_transport {
 	struct ts_scalar_face face[3][2];
 	double *value, *source; /* T; s without its constant part (T/time). Owned */
 	double constant;	/* constant part of s (T/time) */
+	double excess;		/* x (1/time) */
 	double *void_fraction;	/* at the time of T; NULL: 1 everywhere. Owned */
 	double *rate, *stage;	/* work fields; owned */
 };
@@ -39,7 +42,7 @@ void ts_transport_fill(const struct ts_transport *transport, const struct ts_flu
 double ts_transport_limit(const struct ts_transport *transport, const struct ts_fluid *fluid);
 /* The number of substeps that the limit requires over dt. */
 double ts_transport_parts(const struct ts_transport *transport, const struct ts_fluid *fluid, double dt);
-/* Advances T over dt, in so many substeps. */
+/* Advances T over dt, in so many substeps; its ghosts are not set. */
 void ts_transport_advance(struct ts_transport *transport, const struct ts_fluid *fluid, double dt, long parts,
 			  int threads);
 /* Exchanges among ranks what that exchanges, without computing it. */

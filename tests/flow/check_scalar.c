@@ -85,8 +85,126 @@ START_TEST(conduction)
 			"fix T all flow/scalar conductivity 7.31 capacity 0.5 initial 3 xlo flux 2.385 xhi "
 			"flux v_q source 0.13\ntimestep 0.01\nrun 10",
 			box);
-	DECK_NEAR(deck_value(sim, "f_T[1]"), 731 * 0.5 * 3 + 0.01 * (10 * 2.385 + 10 * 3 + 55 + 10 * 0.13),
+	/* the mean flux of step n is 3 + n - 1/2 */
+	DECK_NEAR(deck_value(sim, "f_T[1]"), 731 * 0.5 * 3 + 0.01 * (10 * 2.385 + 10 * 3 + 50 + 10 * 0.13),
 		  1e-11);
+	tsim_close(sim);
+}
+END_TEST
+
+/* A source that grows with time: the integral of 3 + 100 t. */
+START_TEST(source_that_varies)
+{
+	static const char *const fluids[] = { "", "every 4", "substeps 3" };
+	struct tsim *sim;
+	char box[512];
+
+	snprintf(box, sizeof box, plane, "p p p");
+	sim = deck_open("%sflow_style projection cells 4 4 1 viscosity 1e-3 density 731 %s\n"
+			"variable s equal 3+100*time\n"
+			"fix T all flow/scalar initial 3 source v_s\ntimestep 0.01\nrun 8\nrun 0\nrun 4",
+			box, fluids[_i]);
+	DECK_NEAR(deck_value(sim, "f_T[1]"), 731 * 3 + 3 * 0.12 + 50 * 0.12 * 0.12, 1e-10);
+	tsim_close(sim);
+}
+END_TEST
+
+/* Mean error of 5 + exp(-y) cos(t - y), which a diffusivity 1/2 and its values on the faces give, at t = 1. */
+static double error_of_varying_value(int steps)
+{
+	const struct ts_table *table;
+	struct tsim *sim;
+	double sum = 0;
+
+	sim = deck_open("units si\nboundary p f p\nregion box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+			"variable yy internal 0\nvariable T0 equal 5+exp(-v_yy)*cos(v_yy)\n"
+			"variable lo equal 5+cos(time)\nvariable hi equal 5+exp(-1)*cos(time-1)\n"
+			"flow_style projection cells 1 8 1 viscosity 1e-3 density 1\n"
+			"fix T all flow/scalar conductivity 0.5 initial v_T0 set y yy ylo value v_lo yhi "
+			"value v_hi\ntimestep $(1/%d)\nrun %d",
+			steps, steps);
+	table = cells(sim);
+	for (size_t i = 0; i < table->rows; i++) {
+		const double *row = table->data + 4 * i;
+
+		sum += row[3] - 5 - exp(-row[1]) * cos(1 - row[1]);
+	}
+	tsim_close(sim);
+	return sum / 8;
+}
+
+START_TEST(value_that_varies)
+{
+	double of_cells = error_of_varying_value(1600), error[2];
+
+	for (int k = 0; k < 2; k++)
+		error[k] = fabs(error_of_varying_value(100 << k) - of_cells);
+	ck_assert(fabs(of_cells) < 2e-3);
+	ck_assert_msg(log2(error[0] / error[1]) > 1.8, "%g, %g", error[0], error[1]);
+}
+END_TEST
+
+/* What is convected and does not conduct does not grow with central differences. */
+START_TEST(central_waves_do_not_grow)
+{
+	struct tsim *sim;
+	char box[512];
+
+	snprintf(box, sizeof box, plane, "p p p");
+	sim = deck_open("%svariable xx internal 0\nvariable T0 equal sin(16*PI*v_xx)\n"
+			"flow_style projection cells 32 2 1 viscosity 0 density 1 convection central time "
+			"rk3\n"
+			"flow_set velocity 1 0 0\n"
+			"fix T all flow/scalar initial v_T0 set x xx convection central\n"
+			"timestep 0.015\nrun 400",
+			box);
+	ck_assert(deck_value(sim, "f_T[3]") > -1 && deck_value(sim, "f_T[4]") < 1);
+	tsim_close(sim);
+}
+END_TEST
+
+static const char closed_box[] = "units si\nboundary f f f\nregion box block 0 1 0 1 0 1 units box\n"
+				 "create_box 1 box\n";
+
+/* A cell with little fluid: its conduction limits the substeps. */
+START_TEST(dense_cell_conducts)
+{
+	struct tsim *sim;
+
+	sim = deck_open("%screate_atoms 1 single 0.55 0.55 0.55\nset group all diameter 0.105 density 2385\n"
+			"variable xx internal 0\nvariable T0 equal v_xx>0.5\n"
+			"flow_style projection cells 10 10 10 viscosity 0.001 density 1\n"
+			"fix e all void_fraction\nfix still all freeze\n"
+			"fix T all flow/scalar conductivity 0.1666 initial v_T0 set x xx\n"
+			"timestep 0.01\nrun 200",
+			closed_box);
+	ck_assert(deck_value(sim, "f_e[2]") < 0.41);
+	ck_assert(deck_value(sim, "f_T[3]") > 0.4 && deck_value(sim, "f_T[4]") < 0.6);
+	tsim_close(sim);
+}
+END_TEST
+
+/* A sphere that comes into a closed box, moves and goes changes the volume of the fluid, not its temperature. */
+START_TEST(sphere_put_into_closed_box)
+{
+	static const char *const ways[] = { "time euler", "time rk3", "substeps 2", "every 2" };
+	const double volume = PI / 6 * pow(0.1, 3);
+	struct tsim *sim = deck_open("%sflow_style projection cells 6 6 6 viscosity 1 density 731 %s\n"
+				     "fix e all void_fraction\n"
+				     "fix T all flow/scalar initial 300 conductivity 0.1 capacity 17\n"
+				     "fix move all nve/sphere\ntimestep 1e-4\nrun 2\n"
+				     "create_atoms 1 single 0.5 0.5 0.5\n"
+				     "set group all diameter 0.1 density 2385\nrun 4",
+				     closed_box, ways[_i]);
+
+	for (int k = 0; k < 3; k++) {
+		if (k)
+			deck(sim, k == 1 ? "displace_atoms all move 0.2 0.1 0\nrun 4"
+					 : "delete_atoms group all\nrun 4");
+		DECK_NEAR(deck_value(sim, "f_T[3]"), 300, 1e-7);
+		DECK_NEAR(deck_value(sim, "f_T[4]"), 300, 1e-7);
+		DECK_NEAR(deck_value(sim, "f_T[1]") / (731 * 17 * 300.0), k < 2 ? 1 - volume : 1, 1e-10);
+	}
 	tsim_close(sim);
 }
 END_TEST
@@ -142,6 +260,26 @@ START_TEST(heat_is_kept)
 	ck_assert(drop > 0);
 	DECK_NEAR(deck_value(sim, "f_T[2]*0.03") / drop, 1, 0.1);
 	tsim_close(sim);
+}
+END_TEST
+
+/* A run in two parts is the same, also where the value of a wall varies and the fluid waits between them. */
+START_TEST(heat_in_two_runs)
+{
+	double heat[2];
+
+	for (int k = 0; k < 2; k++) {
+		struct tsim *sim = deck_open(suspension, "every 3", "divided");
+
+		deck(sim, "unfix T\nvariable w equal 400+1e4*time\n"
+			  "fix T all flow/scalar conductivity 23.85 capacity 17 initial 400 exchange "
+			  "ranz_marshall "
+			  "xlo value v_w");
+		deck(sim, k ? "run 10" : "run 4\nrun 6");
+		heat[k] = deck_value(sim, "f_heat");
+		tsim_close(sim);
+	}
+	DECK_NEAR(heat[0], heat[1], 0);
 }
 END_TEST
 
@@ -222,8 +360,14 @@ int main(void)
 
 	tcase_add_loop_test(c, orders, 0, 3);
 	tcase_add_test(c, conduction);
+	tcase_add_loop_test(c, source_that_varies, 0, 3);
+	tcase_add_test(c, value_that_varies);
+	tcase_add_test(c, central_waves_do_not_grow);
+	tcase_add_test(c, dense_cell_conducts);
+	tcase_add_loop_test(c, sphere_put_into_closed_box, 0, 4);
 	tcase_add_test(c, bounds);
 	tcase_add_loop_test(c, heat_is_kept, 0, 3);
+	tcase_add_test(c, heat_in_two_runs);
 	tcase_add_test(c, even_temperatures_stay);
 	tcase_add_loop_test(c, one_sphere_cools, 0, 2);
 	tcase_add_test(c, gas_through_a_bed);

@@ -28,6 +28,24 @@ flow_style projection cells 8 6 5 viscosity 1e-30 density 2 substeps auto time r
 flow_boundary yhi wall velocity 1e30 0 0
 run 1' 'it is to make, limited by its velocity'
 
+# scalars
+plane='units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 8 8 1 viscosity 0.1 density 2
+timestep 1e-4'
+rejects "$plane
+fix T all flow/scalar zlo value 500
+run 1" 'zlo: with one cell along z nothing varies there'
+rejects "$plane
+fix T all flow/scalar xhi value 3 zlo none zhi flux 7
+run 1" 'zhi: with one cell along z nothing varies there'
+rejects 'include fluid
+variable yy internal 0
+fix T all flow/scalar initial 3 set y yy
+run 1' 'set y: `initial` is the number 3, which does not depend on coordinates'
+
 # faces
 rejects 'include fluid
 flow_boundary xlo inlet velocity 1 0 0

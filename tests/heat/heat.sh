@@ -354,6 +354,29 @@ fix move all nve/sphere
 run 2
 print \"\$(round(1e4*f_heatFlux[1]/(PI*0.01*2*0.026*100))/1e4) to the fluid, \$(f_wallHeatFlux[1]) to walls\"" '-1 to the fluid, 0 to walls'
 
+# The exchange is explicit in the fluid, too: its limit is rho c V/(pi d k Nu) of the cell of the sphere, with Nu = 2, over `every`.
+exchange() { # N, and the step as a fraction of the limit
+	echo "$warm
+create_atoms 1 single 0.05 0.05 0.05 units box
+set group all diameter 0.01 density 1e9
+fix heat all heat/gran initial_temperature 400
+flow_style projection cells 2 2 2 viscosity 1.8e-5 density 1.2 substeps 1 every $1
+fix T all flow/scalar conductivity 0.026 capacity 0.1 initial 300 exchange ranz_marshall
+fix move all nve/sphere
+timestep \$($2*1.2*0.1*vol/8/(PI*0.01*0.026*2)/$1)
+run 0
+print \"run\""
+}
+explicit='recommended limit [0-9.e-]* of explicit heat exchange of fix flow/scalar'
+for every in 1 3; do
+	prints "$(exchange $every 0.999)" run
+	grep -q "$explicit" out
+	report "heat exchange below its limit, every $every" $((!$?)) out
+	prints "$(exchange $every 1.001)" run
+	grep -q "$explicit" out
+	report "heat exchange beyond its limit, every $every" $? out
+done
+
 # Scheme exact has the flows of the state at the start of a run, too.
 prints "$warm
 create_atoms 1 single 0 0 0 units box
