@@ -158,12 +158,12 @@ static enum ts_status fill_fields(struct ts_instance *self, struct tsim *sim, co
 	for (size_t k = 0; k < s->list.n; k++) {
 		int field = s->list.item[k];
 		size_t n = number_of_components(field);
-		const double *carried = NULL;
+		struct ts_flow_scalar carried = { 0 };
 
 		if (field == TS_FLOW_SCALAR)
 			TS_TRY(ts_flow_scalar_field(sim, "dump flow/vtk", &s->chosen.word[k], &carried));
 		s->array[k] = (struct ts_vtk_array){ s->chosen.word[k].text, to, n, false, false };
-		fill_cells(fluid, carried ? NULL : fields[field].fill, carried, n, to);
+		fill_cells(fluid, carried.value ? NULL : fields[field].fill, carried.value, n, to);
 		to += ts_grid_cells(&fluid->grid) * n;
 	}
 	return TS_OK;

@@ -5,7 +5,6 @@
 
 #include "flow/flow.h"
 #include "flow/flow_measures.h"
-#include "flow/transported_scalars.h"
 
 #include "base/banned.h"
 
@@ -24,8 +23,8 @@ static const char *const names[] = { [X] = "x",	  [Y] = "y",
 static const int default_columns[] = { VX, VY, VZ, P };
 enum { NUSUAL = sizeof default_columns / sizeof *default_columns };
 
-/* Positions of the values along an axis; the last: cell centres, and the values on the boundary. */
-enum nodes { ON_FACES, IN_CENTRES, IN_CENTRES_AND_ON_BOUNDARIES };
+/* Positions of the values along an axis. */
+enum nodes { ON_FACES, IN_CENTRES };
 
 enum { MOST_NODES = 4, MOST_INDICES = 3 * MOST_NODES };
 struct stencil {
@@ -38,12 +37,13 @@ struct axis {
 	const struct ts_grid *grid;
 	int d;
 	enum nodes nodes;
+	bool ends[2]; /* besides centres there is a value on the lower, upper boundary */
+	bool scalar;  /* not a component of the velocity */
 };
 
 static bool is_boundary(const struct axis *a, int k)
 {
-	return a->nodes == IN_CENTRES_AND_ON_BOUNDARIES && !a->grid->periodic[a->d] &&
-	       (k < 0 || k >= a->grid->n[a->d]);
+	return !a->grid->periodic[a->d] && ((a->ends[0] && k < 0) || (a->ends[1] && k >= a->grid->n[a->d]));
 }
 
 static double node_coordinate(const struct axis *a, int k)
@@ -63,8 +63,8 @@ static void node_range(const struct axis *a, int *low, int *high)
 		*low = a->nodes == ON_FACES ? -1 : -TS_GRID_GHOSTS;
 		*high = n + 1;
 	} else {
-		*low = a->nodes == IN_CENTRES_AND_ON_BOUNDARIES ? -1 : 0;
-		*high = a->nodes == IN_CENTRES ? n - 1 : n;
+		*low = a->ends[0] ? -1 : 0;
+		*high = a->nodes == ON_FACES || a->ends[1] ? n : n - 1;
 	}
 }
 
@@ -74,14 +74,19 @@ static void add_node(struct stencil *s, int index, double weight)
 	s->weight[s->n++] = weight;
 }
 
-/* Adds the value on the boundary itself: at walls and inlets the velocity given, recovered from the ghost;
- * else, with zero gradient, that of the cell. */
+/* Adds the value on the boundary itself: that given of a scalar, and at walls and inlets of the velocity, recovered from the
+ * ghost; else, with zero gradient, that of the cell. */
 static void add_boundary(struct stencil *s, const struct axis *a, bool high, double weight)
 {
 	const double *mirror = a->fluid->ghost_weights[a->d][high];
 	enum ts_flow_face face = a->fluid->face[a->d][high];
 	int first = high ? a->grid->n[a->d] - 1 : 0, inward = high ? -1 : 1;
 
+	if (a->scalar) {
+		add_node(s, first - inward, 0.5 * weight);
+		add_node(s, first, 0.5 * weight);
+		return;
+	}
 	if (face != TS_FLOW_WALL && face != TS_FLOW_INLET) {
 		add_node(s, first, weight);
 		return;
@@ -160,13 +165,22 @@ static double edge_vorticity(const struct ts_fluid *fluid, const void *what, con
 	return ts_flow_edge_vorticity(fluid, *(const int *)what, cell);
 }
 
-static double sample_centred(const struct ts_fluid *fluid, const double *field, const double x[3], int count)
+static double sample_centred(const struct ts_fluid *fluid, const struct ts_flow_scalar *field,
+			     const double x[3], int count)
 {
 	struct stencil s[3];
 
-	for (int d = 0; d < 3; d++)
-		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, IN_CENTRES }, x[d], count);
-	return sum_stencils(s, fluid, centred_value, field);
+	for (int d = 0; d < 3; d++) {
+		const struct axis axis = { .fluid = fluid,
+					   .grid = &fluid->grid,
+					   .d = d,
+					   .nodes = IN_CENTRES,
+					   .ends = { field->given[d][0], field->given[d][1] },
+					   .scalar = true };
+
+		s[d] = stencil_around(&axis, x[d], count);
+	}
+	return sum_stencils(s, fluid, centred_value, field->value);
 }
 
 static double velocity(const struct ts_fluid *fluid, int component, const double x[3], int count)
@@ -176,9 +190,14 @@ static double velocity(const struct ts_fluid *fluid, int component, const double
 	if (component >= fluid->grid.dimensions)
 		return 0;
 	for (int d = 0; d < 3; d++) {
-		enum nodes nodes = d == component ? ON_FACES : IN_CENTRES_AND_ON_BOUNDARIES;
+		const bool along = d != component;
+		const struct axis axis = { .fluid = fluid,
+					   .grid = &fluid->grid,
+					   .d = d,
+					   .nodes = along ? IN_CENTRES : ON_FACES,
+					   .ends = { along, along } };
 
-		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, nodes }, x[d], count);
+		s[d] = stencil_around(&axis, x[d], count);
 	}
 	return sum_stencils(s, fluid, centred_value, fluid->u[component]);
 }
@@ -189,10 +208,14 @@ static double vorticity(const struct ts_fluid *fluid, int component, const doubl
 
 	if (fluid->grid.dimensions == 2 && component != 2)
 		return 0;
-	for (int d = 0; d < 3; d++)
-		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d,
-						      d == component ? IN_CENTRES : ON_FACES },
-				      x[d], 2);
+	for (int d = 0; d < 3; d++) {
+		const struct axis axis = { .fluid = fluid,
+					   .grid = &fluid->grid,
+					   .d = d,
+					   .nodes = d == component ? IN_CENTRES : ON_FACES };
+
+		s[d] = stencil_around(&axis, x[d], 2);
+	}
 	return sum_stencils(s, fluid, edge_vorticity, &component);
 }
 
@@ -201,9 +224,13 @@ static double sample_value(int what, const struct ts_fluid *fluid, const double 
 	double v[3];
 
 	if (what == P)
-		return sample_centred(fluid, fluid->p, x, count);
+		return sample_centred(fluid, &(struct ts_flow_scalar){ .value = fluid->p }, x, count);
 	if (what == VOID)
-		return fluid->void_fraction ? sample_centred(fluid, fluid->void_fraction, x, count) : 1;
+		return fluid->void_fraction
+			       ? sample_centred(fluid,
+						&(struct ts_flow_scalar){ .value = fluid->void_fraction }, x,
+						count)
+			       : 1;
 	if (what >= VX && what <= VZ)
 		return velocity(fluid, what - VX, x, count);
 	if (what >= WX && what <= WZ)
@@ -222,7 +249,7 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 		int what = sampler->list.item[k];
 
 		if (what == TS_FLOW_SCALAR)
-			out[k] = sample_centred(fluid, sampler->carried[k], x, count);
+			out[k] = sample_centred(fluid, &sampler->carried[k], x, count);
 		else if (what <= Z)
 			out[k] = x[what];
 		else

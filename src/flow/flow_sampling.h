@@ -2,21 +2,22 @@
  * flow/plane.
  *
  * Along each axis values are interpolated by the Lagrange polynomial through the nearest 2 or 4 points;
- * for velocities along a boundary the value on the boundary is one of them. The error is of order h^2 or
- * h^4. Vorticity is always interpolated linearly between the edges on which it is defined. */
+ * for velocities along a boundary, and for scalars where it gives their value, the value on the boundary
+ * is one of them. The error is of order h^2 or h^4. Vorticity is always interpolated linearly between the
+ * edges on which it is defined. */
 #ifndef TS_FLOW_FLOW_SAMPLING_H
 #define TS_FLOW_FLOW_SAMPLING_H
 
 #include "core/name_list.h"
 #include "flow/fluid.h"
+#include "flow/transported_scalars.h"
 
 /* First member of the state of these computes. */
 struct ts_flow_sampler {
 	struct ts_words words; /* argument */
 	int interpolation;     /* argument */
 	struct ts_name_list list;
-	/* of each column f_ID: the scalar field, valid while a table is made; else NULL */
-	const double **carried;
+	struct ts_flow_scalar *carried; /* of each column f_ID: valid while a table is made */
 	struct tsim *sim;
 };
 extern const char *const ts_flow_interpolations[];
@@ -33,8 +34,8 @@ extern const char *const ts_flow_interpolations[];
 	"The keyword `values` selects the columns: coordinates, velocity components, speed, pressure,\n" \
 	"void fraction (1 without fix void_fraction), vorticity, transported scalars. Values between\n"  \
 	"the points of the grid are interpolated through the nearest 2 values along each axis, with\n"   \
-	"`interpolation cubic` through 4, of which the velocity on a wall is one; vorticity is always\n" \
-	"interpolated linearly."
+	"`interpolation cubic` through 4, of which the velocity on a wall is one, and the T that fix\n"  \
+	"flow/scalar gives on a face by `value`; vorticity is always interpolated linearly."
 
 /* Reads the words as names of values, for an owner `who` ("compute flow/probe"); checks that there is a fluid. */
 enum ts_status ts_flow_sampler_read(struct ts_flow_sampler *sampler, struct tsim *sim, struct ts_arena *arena,

@@ -20,8 +20,9 @@ static bool is_fix(const struct ts_word *word)
 }
 
 enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const struct ts_word *word,
-				    const double **out)
+				    struct ts_flow_scalar *out)
 {
+	const struct ts_flow_part *part;
 	const struct ts_word id = { .text = word->text + 2, .place = word->place };
 	struct ts_instance *fix;
 
@@ -30,7 +31,11 @@ enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const st
 		return ts_fail(&sim->error, TS_STATE, &word->place,
 			       "%s: fix %s (style %s) transports no scalar", what, fix->id, fix->style->name);
 	ts_flow_complete(sim);
-	*out = ((const struct ts_flow_part *)fix->state)->scalar(fix);
+	part = fix->state;
+	out->value = part->scalar(fix);
+	for (int face = 0; face < 6; face++)
+		out->given[face / 2][face % 2] =
+			part->scalar_given && part->scalar_given(fix, face / 2, face % 2);
 	return TS_OK;
 }
 
@@ -41,7 +46,7 @@ enum ts_status ts_flow_read_names(struct tsim *sim, const char *what, struct ts_
 	TS_TRY(ts_name_list_room(sim, arena, words.n, out));
 	for (; out->n < words.n; out->n++) {
 		const struct ts_word *word = &words.word[out->n];
-		const double *field;
+		struct ts_flow_scalar field;
 
 		if (is_fix(word)) {
 			TS_TRY(ts_flow_scalar_field(sim, what, word, &field));

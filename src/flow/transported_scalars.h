@@ -12,9 +12,15 @@ enum ts_status ts_flow_read_names(struct tsim *sim, const char *what, struct ts_
 				  struct ts_words words, const void *table, size_t stride,
 				  struct ts_name_list *out);
 
-/* The present field of the scalar, at centres. */
+/* A scalar field at centres, ghosts set, and on which faces of the grid its value is given: it is the mean of the values on
+ * both sides. */
+struct ts_flow_scalar {
+	const double *value;
+	bool given[3][2];
+};
+/* The present one of the fix f_ID. */
 enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const struct ts_word *word,
-				    const double **out);
+				    struct ts_flow_scalar *out);
 /* The next fix that transports a scalar, *k as in ts_sim_next_of; NULL at the end. */
 struct ts_instance *ts_flow_next_scalar(const struct tsim *sim, size_t *k);
 

@@ -144,6 +144,31 @@ START_TEST(value_that_varies)
 }
 END_TEST
 
+/* What is given on a face is the value there, between the last centre and the face, and at periodic edges. */
+START_TEST(values_on_faces)
+{
+	static const char *const ways[] = { "linear", "cubic" };
+	struct tsim *sim;
+	char box[512];
+
+	snprintf(box, sizeof box, plane, "p f p");
+	sim = deck_open("%sflow_style projection cells 4 8 1 viscosity 0.1 density 1\n"
+			"fix T all flow/scalar conductivity 0.1 initial 300 ylo value 400\n"
+			"compute p all flow/probe 0.5 0 0 0.5 0.03125 0 0 0.03125 0 0.5 1 0 values f_T "
+			"interpolation %s\ntimestep 1e-3\nrun 0",
+			box, ways[_i]);
+	DECK_NEAR(deck_value(sim, "c_p[1][1]"), 400, 1e-10);
+	/* by the values 400, 300, 300, 300 at 0, 1/2, 3/2, 5/2 cells */
+	for (int k = 0; k < 2; k++)
+		DECK_NEAR(deck_value(sim, k ? "c_p[3][1]" : "c_p[2][1]"),
+			  _i ? 300 + 100 * 0.25 * 1.25 * 2.25 / 1.875 : 350, 1e-10);
+	DECK_NEAR(deck_value(sim, "c_p[4][1]"), 300, 1e-10);
+	deck(sim, "run 5");
+	DECK_NEAR(deck_value(sim, "c_p[1][1]"), 400, 1e-10);
+	tsim_close(sim);
+}
+END_TEST
+
 /* What is convected and does not conduct does not grow with central differences. */
 START_TEST(central_waves_do_not_grow)
 {
@@ -362,6 +387,7 @@ int main(void)
 	tcase_add_test(c, conduction);
 	tcase_add_loop_test(c, source_that_varies, 0, 3);
 	tcase_add_test(c, value_that_varies);
+	tcase_add_loop_test(c, values_on_faces, 0, 2);
 	tcase_add_test(c, central_waves_do_not_grow);
 	tcase_add_test(c, dense_cell_conducts);
 	tcase_add_loop_test(c, sphere_put_into_closed_box, 0, 4);
