@@ -437,6 +437,8 @@ library_sources = \
 	src/coupling/interpolation_faces.h \
 	src/coupling/interpolation_weights.c \
 	src/coupling/interpolation_weights.h \
+	src/coupling/lagged_inertia.c \
+	src/coupling/lagged_inertia.h \
 	src/coupling/near_particles.c \
 	src/coupling/near_particles.h \
 	src/coupling/outside_grid.c \

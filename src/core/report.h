@@ -6,11 +6,11 @@
 #include "core/sim.h"
 
 struct ts_limit {
-	double dt;	/* the largest stable time step [time] */
+	double dt;	/* the largest stable time step [time]; 0: there is none */
 	bool fatal;	/* a larger step is refused; else only a warning is given */
 	bool watched;	/* the style that reported it checks it itself in each step and stops the run */
 	uint64_t cause; /* hash of script line and sort of limit: warnings are given once for each */
-	char text[160]; /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
+	char text[320]; /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
 	struct ts_place where;
 };
 /* A file, or a series of files, that the run writes. */

@@ -10,9 +10,12 @@ struct ts_added_masses ts_added_mass_find(const struct tsim *sim)
 	for (size_t k = 0; added.n < sizeof added.of / sizeof *added.of &&
 			   (inst = ts_flow_part_named(sim, "added_mass", &k));
 	     added.n++) {
+		const struct ts_added_mass *mass = inst->state;
+
 		added.of[added.n].group = inst->group;
-		added.of[added.n].density = ((const struct ts_added_mass *)inst->state)->coefficient *
-					    ts_flow_style_of(flow)->density(flow);
+		added.of[added.n].density = mass->coefficient * ts_flow_style_of(flow)->density(flow);
+		added.of[added.n].follows = mass->accelerates;
+		added.of[added.n].reacts = mass->force.two_way;
 	}
 	return added;
 }

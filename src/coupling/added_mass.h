@@ -11,6 +11,7 @@
 struct ts_added_mass {
 	struct ts_coupling_force force; /* first */
 	double coefficient;		/* added mass by displaced mass */
+	bool accelerates;		/* Du/Dt is part of it */
 };
 
 /* Added mass per volume of particle, by group; groups of several fixes have no particle in common. */
@@ -19,6 +20,7 @@ struct ts_added_masses {
 	struct {
 		int group;
 		double density;
+		bool follows, reacts; /* the acceleration of the fluid; the opposite force acts on it */
 	} of[32];
 };
 

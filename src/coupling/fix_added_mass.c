@@ -5,6 +5,7 @@
 
 #include "base/alloc.h"
 #include "core/ranks.h"
+#include "coupling/lagged_inertia.h"
 #include "flow/fluid_slabs.h"
 #include "force/restraint.h"
 #include "group/group_members.h"
@@ -16,7 +17,6 @@
 
 struct state {
 	struct ts_added_mass mass; /* first */
-	bool accelerates;
 	struct ts_restraints restraints;
 	double *last[3], *rate[3]; /* fields: velocity of the fluid after its last step, and du/dt. Owned */
 	size_t size, capacity[2][3];
@@ -30,11 +30,11 @@ static void fluid_acceleration(const struct state *s, const struct ts_coupling_l
 
 	struct ts_coupling_weights weights[3];
 
-	if (fluid && s->accelerates && s->size)
+	if (fluid && s->mass.accelerates && s->size)
 		ts_coupling_weights_faces(fluid, around->place, around->cell, TS_INTERPOLATE_LINEAR, weights);
 	for (int c = 0; c < 3; c++) {
 		a[c] = 0;
-		if (!fluid || !s->accelerates)
+		if (!fluid || !s->mass.accelerates)
 			continue;
 		for (int k = 0; k < 3; k++)
 			a[c] += around->u[k] * around->gradient[c][k];
@@ -137,7 +137,7 @@ static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct 
 static enum ts_status make_fields(struct state *s, struct tsim *sim)
 {
 	const struct ts_fluid *fluid = s->mass.force.fluid;
-	const size_t size = fluid && s->accelerates ? fluid->grid.size : 0;
+	const size_t size = fluid && s->mass.accelerates ? fluid->grid.size : 0;
 
 	if (s->size == size)
 		return TS_OK;
@@ -197,9 +197,19 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(check_particles(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, true));
 	s->mass.force.part.after_substep =
-		s->mass.force.fluid && s->accelerates ? store_fluid_acceleration : NULL;
+		s->mass.force.fluid && s->mass.accelerates ? store_fluid_acceleration : NULL;
 	s->mass.force.part.fields = list_fields;
 	return make_fields(s, sim);
+}
+
+/* fix flow/pressure_gradient reports the limits of both together. */
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	size_t k = 0;
+
+	return ts_flow_part_named(sim, "flow/pressure_gradient", &k)
+		       ? TS_OK
+		       : ts_lagged_inertia_report(self, sim, false, report);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -234,7 +244,7 @@ static void fini(struct ts_instance *self)
 static const struct ts_arg args[] = {
 	TS_REAL("coefficient", struct state, mass.coefficient, .fallback = "0.5", .range = TS_NOT_NEGATIVE,
 		.unit = "", .help = "added mass as a fraction of the displaced mass of fluid"),
-	TS_BOOL("fluid_acceleration", struct state, accelerates, .fallback = "yes",
+	TS_BOOL("fluid_acceleration", struct state, mass.accelerates, .fallback = "yes",
 		.help = "whether Du/Dt is included; no: the fluid is assumed steady and uniform"),
 	TS_COUPLING_FORCE_ARGS(struct state, mass.force),
 	TS_ARGS_END,
@@ -248,7 +258,10 @@ const struct ts_coupling_force_style ts_fix_added_mass = {
 		.doc = "F = C rho V_p (Du/Dt - dv/dt), with C = 1/2 for a sphere. dv/dt is the\n"
 			"acceleration by all forces including this one, (f + C rho V_p Du/Dt)/(m + C rho\n"
 			"V_p), so that the particle moves like one of mass m + C rho V_p. This is stable\n"
-			"also if the particle is lighter than the fluid. The force is applied after all\n"
+			"also if the particle is lighter than the fluid. In a dense bed with fix\n"
+			"void_fraction the fluid learns the acceleration a step later, and Du/Dt is that of\n"
+			"the step before: where velocities grow by it at any time step a warning is given,\n"
+			"and `fluid_acceleration no` helps (doc/coupling.md). The force is applied after all\n"
 			"others, regardless of the order in the script; drags with scheme exact or\n"
 			"implicit take the added mass into account. Du/Dt = du/dt + u grad u at the\n"
 			"particle, with du/dt over the last step of the fluid. A fluid that is solved for\n"
@@ -265,6 +278,7 @@ const struct ts_coupling_force_style ts_fix_added_mass = {
 		TS_COUPLING_FORCE_SLOTS,
 		.late = { [TS_LATE_INERTIA] = apply_inertia },
 		.ground = add_ground,
+		.plan = plan,
 	},
 	.force = add_force,
 	.sheared = true,

@@ -3,12 +3,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/ranks.h"
 #include "core/review.h"
 #include "coupling/interpolation_faces.h"
+#include "coupling/lagged_inertia.h"
 #include "coupling/stencil_batch.h"
 #include "coupling/volume_distribution.h"
 #include "flow/projection.h"
 #include "force/restraint.h"
+#include "group/group_members.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
@@ -169,12 +172,29 @@ static const struct ts_instance *find_void_fix(const struct tsim *sim)
 	return NULL;
 }
 
+static enum ts_status refuse_another(const struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_instance *other;
+
+	for (size_t k = 0; (other = ts_flow_part_named(sim, self->style->name, &k));)
+		if (!ts_streq(other->id, self->id) &&
+		    ts_ranks_most(sim, ts_groups_meet(sim->particles, other->group, self->group)) > 0)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix flow/pressure_gradient: the pressure acts on particles of this "
+				       "group by fix %s (%s:%d) already: use groups without common "
+				       "particles, "
+				       "or leave out one of the two",
+				       other->id, TS_FILE_AND_LINE(other->where));
+	return TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	bool whole;
 
 	TS_TRY(ts_coupling_force_init(self, sim));
+	TS_TRY(refuse_another(self, sim));
 	s->force.part.sends.pressure = true;
 	s->void_fix = find_void_fix(sim);
 	whole = s->void_fix && ts_streq(s->force.flow->style->family, TS_FAMILY_PROJECTION) &&
@@ -211,6 +231,11 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 				self->style->name, s->void_fix->style->name);
 }
 
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	return ts_lagged_inertia_report(self, sim, true, report);
+}
+
 static void fini(struct ts_instance *self)
 {
 	ts_restraints_release(&((struct state *)self->state)->restraints);
@@ -243,13 +268,19 @@ const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 			"step: the momentum of particles and fluid together is conserved to round-off.\n"
 			"Otherwise its relative error is 1e-3 to 1e-2; doc/coupling.md gives the reason.\n"
 			"Particles that are held and members of rigid bodies get the pressure of the\n"
-			"previous step. f_ID[1] ... [3] is the total force.",
+			"previous step. f_ID[1] ... [3] is the total force.\n\n"
+			"The gradient is that of the step before. With fix void_fraction the velocities of\n"
+			"particles and fluid then grow at any time step where the particles are lighter\n"
+			"than phi/(1 - phi) of the fluid, with phi their volume fraction in a cell; a\n"
+			"warning tells where, and whether fix added_mass stabilises them. See\n"
+			"doc/coupling.md. Two of these fixes on one particle are refused.",
 		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 -9.81\n"
 			   "fix lift all flow/pressure_gradient",
 		.args = args,
 		.state_size = sizeof(struct state),
 		.init = init,
 		.review = review,
+		.plan = plan,
 		.archive = ts_coupling_force_archive,
 		.fini = fini,
 		TS_COUPLING_FORCE_SLOTS,

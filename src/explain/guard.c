@@ -56,6 +56,10 @@ static void reset_if_new_dt(struct ts_guard *g, const struct tsim *sim)
 
 static void warn_beyond(struct tsim *sim, const struct ts_limit *limit)
 {
+	if (!(limit->dt > 0)) {
+		ts_warn(&sim->log, &limit->where, "perhaps no time step is stable with %s", limit->text);
+		return;
+	}
 	ts_warn(&sim->log, &limit->where,
 		limit->fatal ? "the time step %g exceeds the stability limit %g of %s"
 			     : "the time step %g exceeds the recommended limit %g of %s",
@@ -125,6 +129,12 @@ static void warn_once(struct tsim *sim, const struct ts_limit *limit, int level)
 	if (record_warning(&g->told, limit, level) != TS_OK ||
 	    record_warning(&g->heard, limit, level) != TS_OK)
 		return;
+	if (!(limit->dt > 0)) {
+		ts_warn(&sim->log, &limit->where,
+			"at step %" PRId64 " perhaps no time step is stable with %s", sim->clock.step,
+			limit->text);
+		return;
+	}
 	ts_warn(&sim->log, &limit->where, "at step %" PRId64 " the time step %g is %.0f %% of %s%g of %s",
 		sim->clock.step, sim->clock.dt, 100 * sim->clock.dt / limit->dt,
 		limit->fatal ? "the stability limit " : "", limit->dt, limit->text);

@@ -216,6 +216,87 @@ rejects "$empty
 unfix e
 run 1" 'needs the void fraction'
 
+# ---- light or dense particles, whose acceleration the fluid learns a step later: told at both sides of the density at which
+# the amplitudes of |z| = 1 for phi = pi/6, in a fluid of 1000. Without added mass it is 1000 phi/(1 - phi) = 1099.07; with it
+# that where the recurrence (m + A) b = -G + A a, f = A (a - b), a' = -r b, G' = -rho a' - r f neither grows nor decays.
+crowded='units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 8 0 8 0 8 units box
+create_box 1 box
+lattice sc 1 origin 0.5 0.5 0.5
+create_atoms 1 box
+flow_style projection cells 4 4 4 viscosity 1e-3 density 1000
+timestep 1e-4'
+pair='fix e all void_fraction
+fix p all flow/pressure_gradient'
+# lags WHAT DENSITY REMEDY LINES: a warning with the remedy below the density, none above it
+lags() {
+	local what=$1 remedy=$3 by ok
+	for by in 0.999 1.001; do
+		printf '%s\n' "$crowded" "set group all diameter 1 density \$($by*$2)" "$4" 'run 0' >in.script
+		"$TSIM" -in in.script -log none >out 2>&1
+		ok=$?
+		if [ $by = 0.999 ]; then
+			grep -q "warning: perhaps no time step is stable with fix .*0.52 of the cell at .*: $remedy\$" out || ok=1
+		else
+			! grep -q 'no time step is stable' out || ok=1
+		fi
+		report "$what, $by" $ok out
+	done
+}
+lags 'light particles' 1099.071 'use fix added_mass with `fluid_acceleration no`' "$pair"
+lags 'with added mass' 1168.215 'leave out fix added_mass' "$pair
+fix a all added_mass"
+lags 'in a fluid that is regarded as steady' 599.112 'use heavier particles, or resolved ones (fix immersed/boundary)' "$pair
+fix a all added_mass fluid_acceleration no"
+lags 'without its reaction' 1148.646 'leave out fix added_mass' "$pair
+fix a all added_mass two_way no"
+# of two kinds of particles the mean counts, of held ones nothing; where there is room the lightest one is stable
+mixed="$crowded
+set group all diameter 1 density 1200
+group light id <> 1 40
+set group light density 500
+$pair"
+prints "$mixed
+run 0" '*perhaps no time step is stable'
+for calm in "$mixed
+fix hold light freeze" "${mixed/set group light density 500/set atom 1 density 500}" "${mixed/group all diameter 1/group all diameter 0.5}" \
+	"${mixed/fix e all void_fraction/}"; do
+	printf '%s\n' "$calm" 'run 0' >in.script
+	"$TSIM" -in in.script -log none >out 2>&1 && ! grep -q 'no time step is stable' out
+	report 'no word about others' $? out
+done
+# inserted later, with the step
+prints "units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 8 0 8 0 8 units box
+create_box 1 box
+flow_style projection cells 4 4 4 viscosity 1e-3 density 1000
+$pair
+fix m all nve/sphere
+fix k all particletemplate/sphere 3571 atom_type 1 density constant 50 radius constant 0.5
+fix d all particledistribution/discrete 3571 1 k 1.0
+fix i all insert/pack seed 3571 distributiontemplate d insert_every once vel constant 0 0 0 overlapcheck yes volumefraction_region 0.2 region box
+timestep 1e-6
+run 3" '*perhaps no time step is stable with fix flow/pressure_gradient on particles of density 50'
+# the pressure counts once
+rejects "$crowded
+set group all diameter 0.5 density 1200
+$pair
+fix q all flow/pressure_gradient" 'the pressure acts on particles of this group by fix p (in.script:13) already'
+agree 'the pressure on two groups' "$crowded
+set group all diameter 0.5 density 2400
+group low id <> 1 40
+group high subtract all low
+fix p low flow/pressure_gradient
+fix q high flow/pressure_gradient
+run 0
+print 'is done 1 1'"
+
 # ---- limits: explicit drag is stable below 2 tau, tau = rho d^2/(18 mu); also where slip grows in the run
 rejects "$still
 fix d all drag/stokes
