@@ -1,8 +1,10 @@
 #include "coupling/coupling_force.h"
 
+#include "coupling/sphere_rows.h"
 #include "law/lift.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -36,6 +38,22 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 	}
 }
 
+static void add_ground(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		       struct ts_ground_springs *sum)
+{
+	const struct state *s = self->state;
+	const struct ts_instance *flow = s->force.flow;
+	const double d = 2 * sim->particles->radius[i];
+	double place[3];
+	int cell[3];
+
+	if (!s->torque ||
+	    (s->force.fluid && !ts_coupling_locate(s->force.fluid, sim->particles->x[i], place, cell)))
+		return;
+	sum->turning += ts_spheres_in_row(sim, d) *
+			ts_spin_torque(d, ts_flow_style_of(flow)->viscosity(flow)) / ts_inertia(sim, i);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -61,7 +79,8 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 		.doc = "F = pi/8 rho d^3 C (S x w), with slip w = u - v and relative spin S = curl u/2 -\n"
 			"omega. C = 1 (law rubinow), or C = Re/Re_s (0.45 + (Re_s/Re - 0.45) exp(-0.05684\n"
 			"Re_s^0.4 Re^0.3)) (law oesterle), with Re = rho |w| d/mu and Re_s = rho d^2\n"
-			"|S|/mu. The torque is pi mu d^3 S. A fluid that is solved for loses the momentum\n"
+			"|S|/mu. The torque is pi mu d^3 S. It is explicit, and stable for time steps below\n"
+			"2 I/(pi mu d^3), for spheres rho_p d^2/(30 mu); a larger step is refused. A fluid that is solved for loses the momentum\n"
 			"that the particles gain, but not the angular momentum. In two dimensions force\n"
 			"and torque are those of a row of 3/(2 d) spheres per unit depth, whose volume is\n"
 			"that of the disc. f_ID[1] ... [3] is the total force.",
@@ -76,6 +95,7 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 		.archive = ts_coupling_force_archive,
 		.fini = ts_coupling_force_fini,
 		TS_COUPLING_FORCE_SLOTS,
+		.ground = add_ground,
 	},
 	.force = add_force,
 	.row = true,

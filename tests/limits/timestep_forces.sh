@@ -76,6 +76,11 @@ limit 'drag that relaxes has no limit' 'fix spring/self a, on particle 1 of' '2*
 	'fix d all drag/stokes scheme exact'
 limit 'with added mass' 'fix spring/self a, on particle 1 of' '2*sqrt(1.5*v_m/v_K)' "$fluid" 'fix a all spring/self ${K}' \
 	'fix e all added_mass'
+limit 'the torque of lift/magnus' 'fix lift/magnus l, on particle 1' '1000*0.2^2/(30*3.3)' "$fluid" 'fix l all lift/magnus'
+limit 'the torque and a dashpot' 'fix lift/magnus l together, on particle 1' '2/(30*2*3.3/(1000*0.2^2)+7.13/(0.4*v_m*0.1^2))' "$fluid" \
+	'fix a all viscous/sphere 7.13' 'fix l all lift/magnus'
+limit 'lift without torque' 'fix viscous/sphere a, on particle 1' '2*0.4*v_m*0.1^2/7.13' "$fluid" 'fix a all viscous/sphere 7.13' \
+	'fix l all lift/magnus torque no'
 limit 'drag of another program' 'fix couple/cfd/force/implicit d together, on particle 1' \
 	'2/(sqrt(v_K/v_m+(7.13/2/v_m)^2)+7.13/2/v_m)' 'fix k all property/atom Ksl scalar yes no no 7.13' 'fix a all spring/self ${K}' \
 	'fix c all couple/cfd couple_every 1 mpi' 'fix d all couple/cfd/force/implicit'
@@ -98,6 +103,14 @@ printf '%s\n' 'include in.grains' 'fix a all spring tether ${K} $(xcm(all,x)) 0 
 "$TSIM" -in in.advice -log none -var soft 1e-3 >out 2>&1 &&
 	grep -q 'warning: the time step .* exceeds the recommended limit .* of fix spring a, fix spring/self b together' out
 report 'advice' $? out
+# with added damping of the rotation: the spin decays at 0.99 of the limit, a step beyond it is refused
+for h in 0.99 1.01; do
+	printf '%s\n' 'include in.grains' "$fluid" 'set type 1 omega 10 0 0' 'fix l all lift/magnus' "timestep \$($h*1000*0.2^2/(30*3.3))" \
+		'run 500' 'print "decayed $(abs(omegax[1])<1)"' >in.$h
+done
+"$TSIM" -in in.0.99 -log none -var soft 1e-9 >out 2>&1 && grep -q '^decayed 1$' out
+report 'spin below the limit' $? out
+refused 'spin above the limit' 'the stability limit 0.40404 of fix lift/magnus l, on particle 1 of type 1' -in in.1.01 -var soft 1e-9
 # frozen particles do not move
 printf '%s\n' 'include in.grains' 'fix a light spring/self ${K}' 'fix b light viscous 7.13' 'fix hold light freeze' 'run 3' >in.frozen
 "$TSIM" -explain -in in.frozen -log none >out 2>&1 && ! grep -q 'fix spring/self a' out && grep -q 'time step' out
