@@ -246,6 +246,9 @@ struct ts_style {
 	/* Adds the particles of other ranks that this one needs copies of besides those near it: particle/copies.h. */
 	enum ts_status (*claim)(struct ts_instance *self, struct tsim *sim, const struct ts_copy_map *copies,
 				struct ts_claims *claims);
+	/* What of it advances in time by its hooks of END_OF_STEP or by its own history, although rerun integrates nothing ("the fluid"):
+	 * rerun refuses it. NULL: nothing; so may be what it returns. */
+	const char *(*advances)(const struct ts_instance *self);
 	void (*fini)(struct ts_instance *self);
 };
 

@@ -169,6 +169,21 @@ static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, siz
 	return TS_OK;
 }
 
+/* A plane above the film moves by its own equation, also where nothing drives the flow before its first step. */
+static void tell_rest(const struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_reynolds *s = self->state;
+	const bool fluid = ts_film_has_fluid(&s->flow.film);
+
+	if (s->flow.film.report.driven || s->told || (fluid && s->flow.surface[1].plane_fix))
+		return;
+	s->told = true;
+	ts_warn(&sim->log, &self->where, "flow_style reynolds: %s",
+		fluid ? "the surfaces neither slide nor approach each other, and the pressure is "
+			"the same at all edges: the fluid is at rest"
+		      : "the surfaces touch everywhere: there is no fluid");
+}
+
 static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_reynolds *s = self->state;
@@ -184,14 +199,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, error.status, &self->where, "%s", error.message);
 	s->solved = true;
 	s->input = input;
-	if (!s->flow.film.report.driven && !s->told) {
-		s->told = true;
-		ts_warn(&sim->log, &self->where, "flow_style reynolds: %s",
-			ts_film_has_fluid(&s->flow.film)
-				? "the surfaces neither slide nor approach each other, and the pressure is "
-				  "the same at all edges: the fluid is at rest"
-				: "the surfaces touch everywhere: there is no fluid");
-	}
+	tell_rest(self, sim);
 	return TS_OK;
 }
 
@@ -294,6 +302,21 @@ static enum ts_status check_transient(struct ts_instance *self, struct tsim *sim
 		       "flow_style reynolds: `transient yes` %s", why);
 }
 
+/* A script that compares kinds of cavitation says `cavitation none`, and keeps the pressure of the others. */
+static enum ts_status check_cavity(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_reynolds *s = self->state;
+	const struct ts_place *word = ts_instance_word(self, "cavity_pressure");
+
+	if (s->cavitation != TS_FILM_NONE || word == &self->where ||
+	    ts_instance_word(self, "cavitation") != &self->where)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, word,
+		       "flow_style reynolds: `cavity_pressure` has no effect without `cavitation`, whose "
+		       "default none "
+		       "lets the pressure fall below it; expected `cavitation` half, reynolds or jfo");
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_reynolds *s = self->state;
@@ -304,6 +327,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_domain_require(sim, &self->where));
 	TS_TRY(ts_reynolds_check_faces(self, sim));
 	TS_TRY(check_transient(self, sim));
+	TS_TRY(check_cavity(self, sim));
 	TS_TRY(ts_flow_read_set(sim, "flow_style reynolds: set", s->set, &self->where, &self->arena,
 				s->flow.set));
 	if (s->flow.set[2])
@@ -341,6 +365,11 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 
 	return s->ready || sim->clock.step > sim->clock.first_step ? TS_OK
 								   : evaluate(self, sim, TS_FILM_KEEP);
+}
+
+static const char *advances(const struct ts_instance *self)
+{
+	return ((const struct ts_reynolds *)self->state)->flow.transient ? "the fluid in the gap" : NULL;
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
@@ -466,7 +495,7 @@ static const struct ts_arg args[] = {
 	TS_ENUM("cavitation", struct ts_reynolds, cavitation, cavitations, .fallback = "none",
 		.help = "what happens where the pressure would be below that of the cavity"),
 	TS_REAL("cavity_pressure", struct ts_reynolds, cavity, .fallback = "0", .unit = "pressure",
-		.help = "pressure in the cavity"),
+		.help = "pressure in the cavity; needs `cavitation`"),
 	TS_BOOL("transient", struct ts_reynolds, flow.transient, .flags = TS_STATEFUL, .fallback = "no",
 		.help = "cavitation jfo: the fluid in the gap is followed in time"),
 	TS_ENUM("gap", struct ts_reynolds, shape, shapes, .fallback = "linear",
@@ -618,6 +647,7 @@ const struct ts_flow_style ts_flow_reynolds = {
 		   .state_size = sizeof(struct ts_reynolds),
 		   .saved = saved,
 		   .archive = archive,
+		   .advances = advances,
 		   .init = init,
 		   .hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_PRE_FORCE] = pre_force },
 		   .plan = plan,

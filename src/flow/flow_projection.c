@@ -173,6 +173,12 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static const char *advances(const struct ts_instance *self)
+{
+	(void)self;
+	return "the fluid";
+}
+
 static bool due(const struct ts_instance *self, const struct tsim *sim)
 {
 	(void)self;
@@ -609,6 +615,7 @@ const struct ts_flow_style ts_flow_projection = {
 		   .ranks = TS_RANKS_OWN | TS_RANKS_PARTICLES | TS_RANKS_ROWLESS,
 		   .due = due,
 		   .settle = settle,
+		   .advances = advances,
 		   .family = TS_FAMILY_PROJECTION,
 		   .summary = "Incompressible flow on a staggered grid by the projection method",
 		   .doc = "Solves du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a Cartesian\n"

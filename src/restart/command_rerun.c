@@ -120,6 +120,27 @@ static enum ts_status check_files(struct tsim *sim, const struct rerun *c)
 	return status;
 }
 
+/* Frames say nothing of a fluid, and the time between them is not a step. */
+static enum ts_status refuse_advancing(struct tsim *sim, const struct ts_place *where)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++) {
+			const struct ts_instance *inst = sim->instances[kind].item[k];
+			const char *what = inst->style->advances ? inst->style->advances(inst) : NULL;
+
+			if (what)
+				return ts_fail(&sim->error, TS_STATE, where,
+					       "rerun integrates nothing in time, but %s of %s %s (%s:%d) "
+					       "would "
+					       "make a time step at each frame, whatever the time between "
+					       "frames: "
+					       "leave it out (flow_style none, or a flow that is imposed)",
+					       what, ts_kind_name((enum ts_kind)kind), inst->style->name,
+					       TS_FILE_AND_LINE(inst->where));
+		}
+	return TS_OK;
+}
+
 static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
 				  const struct ts_place *where)
 {
@@ -130,6 +151,7 @@ static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_p
 	sim->clock.last_step = c->stop >= 0 ? c->stop : INT64_MAX;
 	TS_TRY(ts_restore_models(sim));
 	TS_TRY(ts_plan_compile(plan, sim));
+	TS_TRY(refuse_advancing(sim, where));
 	ts_bond_reference_doubt(sim, "rerun", where);
 	if (sim->reading.explain)
 		return check_files(sim, c);
@@ -207,7 +229,10 @@ const struct ts_command_style ts_command_rerun = {
 		.doc = "For each frame the quantities of the particles are set from the file, neighbours and "
 		       "forces are computed as at the start of a run (contact histories do not evolve), fixes "
 		       "that act at the end of a step are invoked, and thermo output and dumps are written "
-		       "when they are due. No time integration is done. Incomplete frames, as left by a run "
+		       "when they are due. No time integration is done: flow_style projection, and flow_style "
+		       "reynolds with `transient yes`, whose fluid follows from the steps before, are refused. "
+		       "What moves by an integrator or by `fix move/mesh` stays where it was before the "
+		       "command, unless the frames say where it is. Incomplete frames, as left by a run "
 		       "that was killed or had a full disk, are skipped with a warning; a .gz file is read up "
 		       "to the position where it is cut off. A frame in which a particle id occurs twice is "
 		       "an error.",

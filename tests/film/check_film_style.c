@@ -432,6 +432,7 @@ START_TEST(refused_fluids)
 		"conserves the fluid");
 	refuses("f f f", FILM "upper 1 lower 0 cavitation reynolds cavity_pressure 1",
 		"is below that in the cavity, 1");
+	refuses("f f f", FILM "upper 1 lower 0 cavity_pressure -1", "has no effect without `cavitation`");
 	refuses("f f f", FILM "upper 1 lower 0\nfix d all immersed/boundary region box", "solved for");
 }
 END_TEST

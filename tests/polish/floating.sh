@@ -35,6 +35,11 @@ of() {
 	[ $? = 1 ] && grep -qF "$text" out
 	report "$name: -check" $? out
 }
+# a wafer that only squeezes the film: nothing drives it before the first step
+printf '%s\n' 'include in.scene' 'fix w all wafer pad dynamic mass 1 inertia_1 1 inertia_2 1 stiffness 1e3 pressure 300 start 0.5' \
+	'flow_style reynolds cells 8 4 lower 0 upper_wafer w viscosity 1 density 1' 'run 1' >in.script
+"$TSIM" -in in.script -log none >out 2>&1 && ! grep -q 'the fluid is at rest' out
+report 'no word about a fluid at rest under a wafer' $? out
 of 'the film first' "in.script:2:73: error: flow_style reynolds: there is no fix 'w'" "$film" "$wafer" 'run 1'
 of 'no wafer any more' "there is no fix 'w'" "$wafer" "$film" 'run 1' 'unfix w' 'run 1'
 of 'no pad any more' "there is no height field 'pad'" "$wafer" "$film" 'run 1' 'unfix pad' 'run 1'

@@ -235,4 +235,21 @@ printf '%s\n' "$single" 'pair_style none' 'dump d all custom 5 made.dump id x y 
 	'rerun made.*.dump dump x y z' >in.made
 "$TSIM" -check -in in.made >out 2>&1
 report '-check of files that the script writes' $? out
+# Nothing is integrated: a fluid would make a step at each frame, whatever the time between them.
+for flow in 'projection cells 4 4 4 viscosity 1 density 1 body_force 1 0 0|the fluid of flow projection (in.flow:7)' \
+	'reynolds cells 4 4 lower 0 upper 1 upper_velocity 0 0 -1 viscosity 1 density 1 cavitation jfo transient yes|the fluid in the gap of flow reynolds (in.flow:7)'; do
+	printf '%s\n' "$single" "flow_style ${flow%%|*}" 'rerun two.dump dump x y z add yes' >in.flow
+	refused 'rerun of a fluid' "would make a time step" -in in.flow
+	shows "${flow##*|}" err
+	report "rerun: ${flow##*|}" $? err
+	refused 'rerun of a fluid, -check' "would make a time step" -check -in in.flow
+done
+for flow in 'uniform velocity 1 0 0 viscosity 1 density 1' \
+	'reynolds cells 4 4 lower 0 upper 1 upper_velocity 0 0 -1 viscosity 1 density 1'; do
+	prints "$single
+flow_style $flow
+neighbor 0.01 bin
+fix d all drag/stokes
+rerun two.dump dump x y z radius mass add yes" 'Rerun of 1 frames'
+done
 finish
