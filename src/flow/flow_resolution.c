@@ -23,7 +23,7 @@
 
 #include "base/banned.h"
 
-static const double ALTERNATES = 0.02, MISSES = 0.35, MATTERS = 0.1, STEEP = 0.5;
+static const double ALTERNATES = 0.02, MISSES = 0.35, MATTERS = 0.1, STEEP = 0.5, ROUND_OFF = 1e-9;
 
 /* A velocity that alternates from cell to cell along an axis. */
 struct wiggle {
@@ -61,6 +61,45 @@ static double largest_speed(const struct ts_fluid *fluid)
 					most = fmax(most, fabs(fluid->u[d][ts_at(grid, i, j, k)]));
 	}
 	return ts_fluid_slabs_most(fluid, most);
+}
+
+static double face_acceleration(const struct ts_fluid *fluid, int d, int i, size_t at)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const double below = fluid->p[at - (size_t)grid->stride[d]];
+
+	return fabs(fluid->p[at] - below) / (grid->gap[d][i] * fluid->density);
+}
+
+/* By the pressure gradient. Beside faces of the grid the pressure is not that of a cell. */
+static double largest_acceleration(const struct ts_fluid *fluid)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double most = 0;
+	int first, end;
+
+	ts_fluid_slabs_planes(fluid, &first, &end);
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int k = first > (d == 2) ? first : (d == 2); k < end; k++)
+			for (int j = d == 1; j < grid->n[1]; j++)
+				for (int i = d == 0; i < grid->n[0]; i++)
+					most = fmax(most, face_acceleration(fluid, d, (int[3]){ i, j, k }[d],
+									    ts_at(grid, i, j, k)));
+	return ts_fluid_slabs_most(fluid, most);
+}
+
+/* Whether the fluid is at rest but for round-off of the pressure that balances its weight: speeds are far below those that
+ * the pressure gradient alone would cause until viscosity has diffused over a cell. */
+static bool is_at_rest(const struct ts_fluid *fluid, double fastest)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double least = INFINITY, time;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d]; i++)
+			least = fmin(least, grid->width[d][i]);
+	time = fmin(fluid->time, least * least * fluid->density / fluid->viscosity);
+	return !(fastest > ROUND_OFF * largest_acceleration(fluid) * time);
 }
 
 static void check_wiggle(const struct ts_fluid *fluid, int c, int d, const int cell[3], struct wiggle *most)
@@ -310,7 +349,7 @@ enum ts_status ts_projection_check_resolution(const struct ts_instance *self, st
 	const struct ts_fluid *fluid = &p->fluid;
 	const double fastest = largest_speed(fluid);
 
-	if (fluid->steps == 0 || !(fluid->viscosity > 0) || !(fastest > 0))
+	if (fluid->steps == 0 || !(fluid->viscosity > 0) || !(fastest > 0) || is_at_rest(fluid, fastest))
 		return TS_OK;
 	TS_TRY(report_wiggle(self, sim, fastest));
 	for (int d = 0; d < fluid->grid.dimensions; d++)

@@ -72,4 +72,19 @@ scene 8 2000 central "$jet" | sed '1i review error flow_resolution' >in.script
 refused 'as an error' '(review: flow_resolution)' -in in.script -log none -screen none
 told 'left out' "review off flow_resolution
 $(scene 8 2000 central "$jet")"
+# at rest under its weight, in two dimensions and in three, with cells of several widths; flows as slow are no round-off
+rest='units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 8 8 8 viscosity 1 density 1 body_force 1 0.7 -9.81
+timestep 1e-4
+run 1000'
+told 'a fluid at rest' "$rest"
+told 'a fluid at rest, solved for by iterations' "${rest/timestep/pressure_style cg
+timestep}"
+told 'a fluid at rest beside narrow cells' "${rest/timestep/flow_grid x tanh 1.5
+timestep}"
+told 'a slow lid above it' "${rest/timestep/flow_boundary zhi wall velocity 1e-9 0 0
+timestep}" 'beside the wall'
 finish
