@@ -182,8 +182,7 @@ static enum ts_status refuse_another(const struct ts_instance *self, struct tsim
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix flow/pressure_gradient: the pressure acts on particles of this "
 				       "group by fix %s (%s:%d) already: use groups without common "
-				       "particles, "
-				       "or leave out one of the two",
+				       "particles, or leave out one of the two",
 				       other->id, TS_FILE_AND_LINE(other->where));
 	return TS_OK;
 }

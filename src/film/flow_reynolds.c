@@ -313,8 +313,8 @@ static enum ts_status check_cavity(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, word,
 		       "flow_style reynolds: `cavity_pressure` has no effect without `cavitation`, whose "
-		       "default none "
-		       "lets the pressure fall below it; expected `cavitation` half, reynolds or jfo");
+		       "default none lets the pressure fall below it; expected `cavitation` half, reynolds "
+		       "or jfo");
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)

@@ -245,7 +245,7 @@ for flow in 'projection cells 4 4 4 viscosity 1 density 1 body_force 1 0 0|the f
 	refused 'rerun of a fluid, -check' "would make a time step" -check -in in.flow
 done
 for flow in 'uniform velocity 1 0 0 viscosity 1 density 1' \
-	'reynolds cells 4 4 lower 0 upper 1 upper_velocity 0 0 -1 viscosity 1 density 1'; do
+	'reynolds cells 4 4 lower 0 upper 1 upper_velocity 0 0 -1 viscosity 1 density 1 open xlo xhi'; do
 	prints "$single
 flow_style $flow
 neighbor 0.01 bin
