@@ -42,4 +42,10 @@ enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct ts
 /* Sets imass = 1/mass for all local particles; fix freeze then sets that of its particles to 0. */
 void ts_particles_inverse_mass(struct ts_particles *p);
 
+/* Whether particles may be members of bodies: the same on all ranks, while p->body is NULL on one that has had no particles. */
+static inline bool ts_columns_have_bodies(const struct ts_particles *p)
+{
+	return p->column[TS_COL_BODY].active;
+}
+
 #endif

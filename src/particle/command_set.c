@@ -290,7 +290,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->mode == TYPE && (s->range.lo > p->ntypes || s->range.hi > p->ntypes))
 		return ts_fail(&sim->error, TS_RANGE, where, "set: there are %d types of particles, found %d",
 			       p->ntypes, s->range.hi ? s->range.hi : s->range.lo);
-	if (reads_others(s) || p->body) /* bodies follow their members */
+	if (reads_others(s) || ts_columns_have_bodies(p)) /* bodies follow their members */
 		TS_TRY(ts_ranks_unite(sim));
 	if (s->mode == MOLECULE)
 		TS_TRY(ts_particles_need_molecules(sim, "set", where));

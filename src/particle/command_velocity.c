@@ -11,6 +11,7 @@
 #include "math/ramp.h"
 #include "math/rng.h"
 #include "math/vec3.h"
+#include "particle/columns.h"
 #include "particle/group_moments.h"
 #include "particle/particles.h"
 #include "region/region.h"
@@ -305,7 +306,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->bias && !s->temp)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
 			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
-	if (s->temp || sim->particles->body) /* a compute; bodies follow their members */
+	if (s->temp || ts_columns_have_bodies(sim->particles)) /* a compute; bodies follow their members */
 		TS_TRY(ts_ranks_unite(sim));
 	if ((s->mode == SET && !is_zero(s)) || s->mode == RAMP)
 		ts_domain_units_said(sim, s->units, where);

@@ -602,7 +602,7 @@ void ts_copies_forward_forces(struct tsim *sim)
 	struct ts_copies *c;
 	size_t row = 0, ghost = p->n;
 
-	if (!sim->division || !p->body)
+	if (!sim->division || !ts_columns_have_bodies(p))
 		return;
 	c = &sim->division->copies;
 	for (int r = 0; r < sim->world->n; r++) {

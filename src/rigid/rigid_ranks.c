@@ -113,7 +113,7 @@ enum ts_status ts_rigid_claim(struct ts_instance *self, struct tsim *sim, const 
 	const struct ts_particles *p = sim->particles;
 	int32_t *own, *all;
 
-	claims->any |= p->body != NULL;
+	claims->any |= ts_columns_have_bodies(p);
 	if (!r->n || !p->body)
 		return TS_OK;
 	own = ts_alloc(2 * r->n, sizeof *own);
@@ -179,7 +179,7 @@ static enum ts_status share_bodies(struct tsim *sim, struct ts_rigid *r)
 
 enum ts_status ts_rigid_join(struct ts_instance *self, struct tsim *sim)
 {
-	if (!sim->particles->body)
+	if (!ts_columns_have_bodies(sim->particles))
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
 	return share_bodies(sim, self->state);
@@ -267,7 +267,7 @@ enum ts_status ts_rigid_exchange_own(struct tsim *sim)
 	struct ts_rigid *r = sim->rigid;
 	const struct ts_particles *p = sim->particles;
 
-	if (!p->body)
+	if (!ts_columns_have_bodies(p))
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
 	if (r->lost != p->lost)
