@@ -140,13 +140,19 @@ static double temperature(const struct tsim *sim, const struct ts_chunk_average 
 	return particles > 0 && freedom > 0 ? twice_energy / (freedom * ts_boltzmann(sim)) : 0;
 }
 
+/* Whether each sample is divided by itself: a temperature has no sum that `norm none` could leave undivided. */
+static bool divides_samples(const struct ts_chunk_average *s, enum kind kind)
+{
+	return s->norm == SAMPLE || (s->norm == NONE && (kind == TEMPERATURE || kind == GRANULAR));
+}
+
 /* What one sample adds to the sum of one value in one chunk. */
 static double sample_value(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind,
 			   double volume, double count, double sum)
 {
 	if (kind == DENSITY_NUMBER || kind == DENSITY_MASS)
 		return sum / volume;
-	if (s->norm != SAMPLE)
+	if (!divides_samples(s, kind))
 		return sum;
 	if (kind == TEMPERATURE)
 		return temperature(sim, s, sum, count, 1);
@@ -159,7 +165,7 @@ static double average_value(const struct tsim *sim, const struct ts_chunk_averag
 {
 	double samples = (double)s->average.repeat;
 
-	if (kind == TEMPERATURE && s->norm != SAMPLE)
+	if (kind == TEMPERATURE && s->norm == ALL)
 		return temperature(sim, s, sum, count, samples);
 	if ((kind == VALUE || kind == GRANULAR) && s->norm == ALL)
 		return count > 0 ? sum / count : 0;

@@ -96,10 +96,11 @@ const struct ts_expr_function ts_series_functions[] = {
 	SERIES("ave", eval_ave, 1, "mean of all numbers of a list"),
 	SERIES("min", eval_min, 1, "least number of a list"),
 	SERIES("max", eval_max, 1, "greatest number of a list"),
-	SERIES("trap", eval_trap, 2, "integral by the trapezoidal rule with unit spacing"),
-	SERIES("slope", eval_slope, 2, "slope of the least-squares straight line, unit spacing"),
+	SERIES("trap", eval_trap, 1, "integral by the trapezoidal rule with unit spacing; 0 of one number"),
+	SERIES("slope", eval_slope, 2,
+	       "slope of the least-squares straight line, unit spacing; of at least 2 numbers"),
 	SERIES("stderr", eval_stderr, 3,
-	       "standard error of that slope; deviations from the line may be "
+	       "standard error of that slope, of at least 3 numbers; deviations from the line may be "
 	       "correlated over a time that is short against the list"),
 	{ .name = "sort",
 	  .arguments = "list",

@@ -93,4 +93,30 @@ print "is vx $(c_s[1]) 0.5"
 print "is sum $(c_s[2]) -3.415"'
 rejects 'include in.begin
 compute k all chunk/atom molecul' "did you mean 'molecule'?"
+
+# Samples of bin 1: two with both particles, m v^2 of 1 + 2, and two with the first alone; in bin 2 the second alone, twice.
+agree 'temperatures of norm none are means of those of the samples' 'units lj
+atom_style sphere
+region b block 0 10 0 10 0 10 units box
+create_box 1 b
+create_atoms 1 single 4 5 5 units box
+create_atoms 1 single 4.75 7 5 units box
+set group all diameter 0.5 density 1
+set atom 1 vy 1
+set atom 2 vx 1 vy 1
+fix i all nve/sphere
+timestep 0.1
+compute ch all chunk/atom bin/1d x lower 5 units box
+fix s all ave/chunk 1 4 4 ch temp temp/granular vx norm sample
+fix n all ave/chunk 1 4 4 ch temp temp/granular vx norm none
+fix a all ave/chunk 1 4 4 ch temp temp/granular vx norm all
+run 4
+variable m equal PI/6*0.5^3
+print "is temp $(f_n[1][3]) $((3/6+1/3)/2*v_m)"
+print "is temp2 $(f_n[2][3]) $((2/3)/2*v_m)"
+print "is sample $(f_s[1][3]) $(f_n[1][3])"
+print "is all $(f_a[1][3]) $((2*3+2)/(3*6)*v_m)"
+print "is granular $(f_n[1][4]) $(2*0.25/3/4)"
+print "is granular2 $(f_n[2][4]) 0"
+print "is sum $(f_n[1][5]) 0.5"'
 finish

@@ -131,7 +131,7 @@ START_TEST(vectors)
 	expect_value("sum(v_v)+ave([1,2,6])+min(v_s)+max(v_s)", 11.5 + 3 - 1 + 3);
 	expect_value("length([1,2,4])", 3);
 	expect_value("trap([1,2,4])+slope([1,3,5.5])", 4.5 + 2.25);
-	expect_value("sum([2])", 2);
+	expect_value("sum([2])+trap([7])", 2);
 	expect_value("sum([max([1,5]),2,3,4])", 14);
 	expect_value("max([sum([1,2]),sum([30,4,5]),7])", 39);
 	expect_error("print $(v_v[4])", 1, 9, 6, "variable 'v' has 3");
