@@ -69,8 +69,8 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_conta
 		wi[k] = TS_ALIGNED_FOUR(i.motion->omega);
 		wj[k] = TS_ALIGNED_FOUR(j.motion->omega);
 		if (ts_granular_needs_masses(m)) {
-			b->mass[0][at + k] = p->mass[active[k].i];
-			b->mass[1][at + k] = p->mass[active[k].j];
+			b->mass[0][at + k] = ts_rigid_inertial_mass(p, (size_t)active[k].i);
+			b->mass[1][at + k] = ts_rigid_inertial_mass(p, (size_t)active[k].j);
 		}
 	}
 	ts_four_transpose(d);

@@ -11,6 +11,7 @@
 #include "law/granular_force.h"
 #include "neigh/contact_memory.h"
 #include "neigh/touching_sums.h"
+#include "rigid/rigid.h"
 
 struct ts_contact_task {
 	const struct ts_particles *p;
@@ -114,8 +115,8 @@ TS_INLINE void ts_contact_inputs(const struct ts_particles *p, size_t i, size_t 
 	}
 	e->radius[0] = p->radius[i];
 	e->radius[1] = p->radius[j];
-	e->mass[0] = p->mass[i];
-	e->mass[1] = p->mass[j];
+	e->mass[0] = ts_rigid_inertial_mass(p, i);
+	e->mass[1] = ts_rigid_inertial_mass(p, j);
 	e->imass = p->imass[i] + p->imass[j];
 	ts_contact_inputs_complete(e);
 }

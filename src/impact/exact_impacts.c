@@ -264,7 +264,7 @@ static struct ts_collision collision_of(const struct search *s, const struct fli
 	const struct ts_particles *p = s->sim->particles;
 	struct ts_collision c = { .model = ts_wall_model(w, s->sim),
 				  .law = ts_wall_law(w, s->sim, t->type, p->type[f->i]),
-				  .mass = ts_rigid_member(p, f->i) ? 1 / p->imass[f->i] : p->mass[f->i],
+				  .mass = ts_rigid_inertial_mass(p, f->i),
 				  .radius = p->radius[f->i],
 				  .r_eff = ts_wall_effective_radius(p->radius[f->i], t->curvature),
 				  .inertia = ts_inertia_factor(s->sim),

@@ -360,7 +360,7 @@ static void set_link_springs(const struct network *w, const struct ts_contact_ca
 			      .m_eff = c->m_eff,
 			      .overlap = c->overlap,
 			      .wall = i == j,
-			      .mass = { p->mass[i], p->mass[j] },
+			      .mass = { ts_rigid_inertial_mass(p, i), ts_rigid_inertial_mass(p, j) },
 			      .radius = { p->radius[i], p->radius[j] } };
 
 	link->k[TS_LINK_NORMAL] = f.kn;

@@ -118,6 +118,12 @@ static inline bool ts_rigid_same(const struct ts_particles *p, size_t a, size_t 
 	return p->body && p->body[a] && p->body[a] == p->body[b];
 }
 
+/* Mass of particle i in contacts: that of its body, if it is a member of one. */
+static inline double ts_rigid_inertial_mass(const struct ts_particles *p, size_t i)
+{
+	return ts_rigid_member(p, i) && p->imass[i] > 0 ? 1 / p->imass[i] : p->mass[i];
+}
+
 /* The body of particle i, or NULL. */
 const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i);
 

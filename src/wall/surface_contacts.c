@@ -142,7 +142,7 @@ static void set_particle(const struct ts_particles *p, struct ts_surface_contact
 	out->groups = (uint32_t)p->mask[i];
 	out->tag = p->tag[i];
 	out->mass = p->mass[i];
-	out->inertial_mass = ts_rigid_member(p, i) && p->imass[i] > 0 ? 1 / p->imass[i] : p->mass[i];
+	out->inertial_mass = ts_rigid_inertial_mass(p, i);
 	out->radius = p->radius[i];
 	ts_scale(1, p->omega ? p->omega[i] : none, out->omega);
 }

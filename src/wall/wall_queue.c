@@ -11,19 +11,13 @@ TS_UNROLLED
 
 /* ---- inputs of the contact law */
 
-TS_INLINE double contact_mass(const struct ts_particles *p, size_t i)
-{
-	/* a member of a rigid body has the mass of the body */
-	return ts_rigid_member(p, i) ? 1 / p->imass[i] : p->mass[i];
-}
-
 static void load_ends(const struct ts_particles *p, size_t i, const struct ts_wall_contact_point *point,
 		      struct ts_wall_ends *e)
 {
 	*e = (struct ts_wall_ends){ .distance = point->distance,
 				    .curvature = point->curvature,
 				    .radius = p->radius[i],
-				    .mass = contact_mass(p, i),
+				    .mass = ts_rigid_inertial_mass(p, i),
 				    .liquid = p->liquid ? p->liquid[i] : 0 };
 	for (int d = 0; d < 3; d++) {
 		e->n[d] = point->n[d];
@@ -212,7 +206,7 @@ TS_INLINE void load_four(const struct ts_wall_queue *q, const size_t at[4], stru
 
 		n[j] = TS_FOUR_LOAD(point->n); /* n and, behind it, distance */
 		v[j] = TS_FOUR_LOAD(p->v[i]) - TS_FOUR_LOAD(point->velocity);
-		v[j][3] = contact_mass(p, i);
+		v[j][3] = ts_rigid_inertial_mass(p, i);
 		omega[j] = TS_FOUR_BROADCAST(0);
 		if (p->omega)
 			omega[j] = TS_FOUR_LOAD(p->omega[i]);

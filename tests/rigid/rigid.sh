@@ -268,6 +268,47 @@ delete_atoms group g compress no
 run 1
 print \"\$(count(all)) left\"" '*1 rigid bodies lack members, which delete_atoms has deleted' '0 left'
 
+# A ball of mass m that spins at the end of a body of two balls: the dashpot of rolling friction takes the reduced inertia
+# of m and 2 m about the contact.
+cat >in.roll <<'END'
+units si
+boundary f f f
+newton off
+region b block -1 1 -1 1 -1 1 units box
+create_box 1 b
+create_atoms 1 single -0.2 0 0 units box
+create_atoms 1 single 0 0 0 units box
+create_atoms 1 single 0.19 0 0 units box
+set group all diameter 0.2 density 2500
+group body id 1 2
+group ball id 3
+set atom 3 omegaz 0.1
+fix k1 all property/global kn peratomtypepair 1 1e4
+fix k2 all property/global kt peratomtypepair 1 0
+fix k3 all property/global gamman peratomtypepair 1 0
+fix k4 all property/global gammat peratomtypepair 1 0
+fix k5 all property/global coefficientFriction peratomtypepair 1 0
+fix k6 all property/global coefficientRollingFriction peratomtypepair 1 0.5
+fix k7 all property/global coefficientRollingViscousDamping peratomtypepair 1 0.3
+fix k8 all property/global rollingStiffness scalar 1.5
+pair_style gran model hooke/stiffness tangential off rolling_friction ${law}
+pair_coeff * *
+fix r body rigid single
+fix i ball nve/sphere
+timestep 1e-5
+run 0
+variable m equal 2500*4/3*PI*0.1^3
+variable k equal v_factor*1e4*0.5^2*0.05^2
+variable inertia equal 1.4*(2*v_m*v_m)/(3*v_m)*0.1^2
+print "is torque $(-tqz[3]:%.17g) $(0.1*(v_k*dt+2*0.3*sqrt(v_inertia*v_k)):%.17g)"
+END
+agree 'rolling friction epsd takes the mass of the body' 'variable law index epsd
+variable factor index 2.25
+include in.roll'
+agree 'rolling friction epsd3 takes the mass of the body' 'variable law index epsd3
+variable factor index 1.5
+include in.roll'
+
 # A clump whose spheres overlap: its centre of mass is not that of the spheres. It flies with 1 m/s in x and rotates with 20/s.
 cat >in.clump <<'END'
 units si
