@@ -6,6 +6,7 @@
 #include <sys/utsname.h>
 
 #include "core/group.h"
+#include "core/unsupported_names.h"
 #include "formula/expr.h"
 
 #include "base/banned.h"
@@ -121,18 +122,39 @@ static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words
 	return TS_OK;
 }
 
+/* In LAMMPS the second word of category pair is a property. All pair styles here act between two particles, without
+ * corrections of a cutoff and without r-RESPA; their forces are known pair by pair, as by single() of LAMMPS. */
+static bool is_property_of_pairs(const char *word)
+{
+	static const char *const names[] = { "single", "respa", "manybody", "tail", "shift" };
+
+	for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+		if (ts_streq(names[k], word))
+			return true;
+	return false;
+}
+
 /* Whether a live instance is of that style. */
 static enum ts_status eval_is_active(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	enum ts_kind kind = TS_KIND_FIX;
+	const struct ts_word *name = &words.word[1];
 	const struct ts_instances *all;
+	const struct ts_style *style;
 
 	if (is_lammps_category(words.word[0].text))
 		return TS_OK;
 	TS_TRY(find_kind(e, &words.word[0], &kind));
 	all = &e->sim->instances[kind];
+	if (kind == TS_KIND_PAIR && is_property_of_pairs(name->text)) {
+		out->scalar = all->n && ts_streq(name->text, "single");
+		return TS_OK;
+	}
+	if (ts_unsupported_find(kind, name->text))
+		return TS_OK;
+	TS_TRY(ts_style_require(e->sim, kind, name, &style));
 	for (size_t k = 0; k < all->n; k++)
-		if (ts_streq(all->item[k]->style->name, words.word[1].text))
+		if (all->item[k]->style == style)
 			out->scalar = 1;
 	return TS_OK;
 }
@@ -205,7 +227,9 @@ const struct ts_expr_function ts_special_functions[] = {
 	ASK("is_defined", "category,id", 2, eval_is_defined,
 	    "1 if a variable, group, region, compute, fix or dump of that id exists"),
 	ASK("is_active", "category,style", 2, eval_is_active,
-	    "1 if a fix, compute, pair, ... of that style is defined"),
+	    "1 if a fix, compute, pair, ... of that style is defined; of category pair also the properties "
+	    "of "
+	    "LAMMPS: single is 1 if there is a pair style, respa, manybody, tail and shift are 0"),
 	ASK("is_available", "category,style", 2, eval_is_available,
 	    "1 if tsim has a command, fix, pair, ... of that name"),
 	ASK("extract_setting", "name", 1, eval_extract_setting,

@@ -99,6 +99,11 @@ START_TEST(names)
 	expect_value("is_active(package,gpu)+is_active(fix,gravity)", 0);
 	expect_output("fix g all gravity 9.81 vector 0 0 -1\n", "");
 	expect_value("is_active(fix,gravity)+10*is_defined(fix,g)", 11);
+	expect_value("is_active(pair,single)", 0);
+	expect_output("pair_style spring/dashpot\npair_coeff * * stiffness 1 restitution 1\n", "");
+	expect_value("is_active(pair,single)+10*is_active(pair,spring/dashpot)", 11);
+	expect_value("is_active(pair,manybody)+is_active(pair,tail)+is_active(pair,lubricate)", 0);
+	expect_error("print $(is_active(fix,gravitty))", 1, 23, 8, "did you mean 'gravity'");
 	expect_value("is_file(/dev/null)*10+is_file(/nowhere/at/all)", 10);
 	expect_value("is_os(^none)", 0);
 	expect_value("extract_setting(dimension)*10+extract_setting(box_exist)", 31);
