@@ -61,6 +61,23 @@ printf 'variable ownn equal 3\ninclude in.parts\nprint "${shared}"\n' >in.whole
 "$TSIM" -in in.whole -log none >out 2>&1
 [ "$(grep -c 'never used' out)" = 1 ] && grep -q "in.whole:1: warning: variable 'ownn' is never used" out
 report 'names of included scripts' $? out
+# c2$k is a use of each name that begins with c2, and ${k}_late of each that ends so.
+cat >in.composed <<'END'
+units si
+region b block 0 1 0 1 0 1
+create_box 1 b
+compute c21 all ke
+compute c22 all ke
+compute d21 all ke
+variable 1_late equal 5
+variable k loop 2
+variable x equal c_c2$k
+variable y equal v_${k}_late
+print "$(v_x) $(v_y)"
+END
+"$TSIM" -in in.composed -log none >out 2>&1
+[ "$(grep -c 'never used' out)" = 1 ] && grep -q "in.composed:6: warning: compute 'd21' is never used" out
+report 'names that are composed by substitution' $? out
 printf 'echo none\nunits si\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 0\n' >in.b
 "$TSIM" -in in.b -log log.b >out 2>err
 ! grep -q '^#' log.b
