@@ -135,8 +135,9 @@ enum ts_status ts_plan_set_up(struct ts_plan *plan, struct tsim *sim)
 {
 	bool tried = false, done = false;
 
-	/* styles whose init has failed can neither act nor be judged */
-	if (sim->reading.faults != plan->faults)
+	/* Styles whose init has failed can neither act nor be judged. After the error of another line particles may be of any
+	 * size and at any place, and lists of contacts take any memory. */
+	if (sim->reading.faults != plan->faults || sim->reading.broken)
 		return TS_OK;
 	TS_TRY(find_resuming(sim));
 	if (is_apart(sim))

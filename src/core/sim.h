@@ -130,6 +130,7 @@ struct ts_reading {
 	bool explain;	   /* -explain: plan runs, do not step or write */
 	bool check;	   /* -check: as explain, but errors do not end the script */
 	int ranks;	   /* -explain, -check: as with so many ranks; 0: as with those that there are */
+	bool broken;	   /* -check: a line has failed on which runs may depend: they are not set up */
 	bool planned;	   /* -explain: a run has been left out, after which the state is unknown */
 	bool open_clock;   /* -explain: the present step is unknown, since the length of some run is */
 	char from_run[48]; /* -explain: name of a value read by this line that only a run can give */

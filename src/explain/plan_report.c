@@ -208,7 +208,9 @@ enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t ste
 	struct ts_price price;
 	bool priced = status == TS_OK && has_price(&report, sim);
 
-	if (priced)
+	if (status == TS_OK && sim->reading.explain && sim->requests.stop)
+		status = ts_fail(&sim->error, TS_STOPPED, NULL, "stopped on request");
+	if (priced && status == TS_OK)
 		status = ts_price_steps(plan, sim, &price);
 	if (priced && status == TS_OK)
 		status = price_left_out(&report, plan, sim, &price);

@@ -146,6 +146,8 @@ static bool may_follow_from_error(const struct ts_check *check, const struct ts_
 {
 	if (error->missing[0] && ts_map_get(&check->lost, error->missing))
 		return true;
+	if (check->cut && error->missing[0])
+		return true;
 	if (check->unread && strncmp(error->missing, "group ", 6) == 0)
 		return true;
 	if (error->status == TS_STATE || error->status == TS_PHYSICS)
@@ -256,6 +258,7 @@ static enum ts_status mark_names_lost(struct ts_script *script, struct ts_words 
 	const char *command = words.word[0].text;
 
 	script->check->weak |= !is_harmless(command);
+	script->sim->reading.broken |= !is_harmless(command) && script->check->nerrors;
 	script->sim->review.doubtful = script->check->weak || script->check->guesses;
 	script->check->unread |= ts_streq(command, "read_restart");
 	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++) {

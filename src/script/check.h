@@ -65,6 +65,7 @@ struct ts_check {
 	bool guesses;	       /* the simulation has got numbers in place of unknown ones: the same */
 	bool substitute_box;   /* the box stands in for one that could not be created */
 	bool creating_box;     /* that box is being created */
+	bool cut;	       /* after an error a loop was left: names that it defines may be missing */
 	bool unread;	       /* a restart file could not be read: its groups are unknown */
 	struct ts_map seen;    /* "file:line:column" of errors, "file:line" of lines executed */
 	struct ts_map lost;    /* "fix ID" that a failed line would have defined */
@@ -79,6 +80,7 @@ struct ts_check {
 	int64_t iterations_left;      /* iterations left after the last `next`; 0: unknown */
 	const char *next_variable[8]; /* the variables of the last `next` */
 	int64_t jumps, runs;	      /* executed so far */
+	int64_t jumps_after_error;    /* back, followed or not */
 	int alternatives;	      /* > 0: another branch has been executed before this one */
 	size_t at;		      /* position behind the last jump, in case its label is not found */
 	int line;

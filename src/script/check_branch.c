@@ -3,6 +3,7 @@
  * executed it follows another of the jumps in the branches. */
 #include <string.h>
 
+#include "formula/dry_run.h"
 #include "formula/expr.h"
 #include "script/check.h"
 
@@ -32,6 +33,21 @@ static const struct {
 	{ "group", "group", "delete" }, { "variable", "variable", "delete" },
 };
 
+/* Names that are no names in formulas at all, and wrong syntax. The formula is evaluated when the variable is used, until when
+ * other lines may define what it reads. */
+static enum ts_status check_formula(struct ts_script *script, struct ts_variable *variable)
+{
+	struct ts_dry_run before = ts_dry_run_begin(&script->formulas);
+	enum ts_status status;
+	double number;
+
+	script->sim->reading.unreached = true;
+	status = ts_variable_number(&script->formulas, variable, NULL, &number);
+	script->sim->reading.unreached = false;
+	status = ts_dry_run_end(&script->formulas, before, status, !script->sim->error.missing[0]);
+	return ts_check_defer_error(script, status);
+}
+
 /* After a command of a branch that may not be taken: what it has deleted may exist, and the variable it
  * has set may have another value. */
 static enum ts_status mark_doubtful(struct ts_script *script, struct ts_words words)
@@ -45,6 +61,8 @@ static enum ts_status mark_doubtful(struct ts_script *script, struct ts_words wo
 	if (words.n < 3 || !ts_streq(words.word[0].text, "variable"))
 		return TS_OK;
 	variable = ts_variable_find(&script->formulas, words.word[1].text);
+	if (variable && ts_streq(variable->style->name, "equal"))
+		TS_TRY(check_formula(script, variable));
 	if (variable)
 		variable->open = true;
 	return TS_OK;

@@ -1,6 +1,7 @@
 /* Loops of a script that is read without running. Loops without a run command are executed to their end;
  * others while they reach new lines, or if they have few iterations. The remaining iterations are
- * extrapolated if their number is known, otherwise reported as unknown. */
+ * extrapolated if their number is known, otherwise reported as unknown. After an error, without which they may end
+ * elsewhere, a few more jumps back are followed in all. */
 #include <string.h>
 
 #include "script/check.h"
@@ -8,7 +9,7 @@
 
 #include "base/banned.h"
 
-enum { FEW = 20, MOST_ROUNDS = 1000, MOST_JUMPS = 100000, MOST_RUNS = 2000 };
+enum { FEW = 20, MOST_ROUNDS = 1000, MOST_JUMPS = 100000, MOST_RUNS = 2000, MOST_AFTER_ERROR = 100 };
 
 static bool is_inside_loop(const struct ts_check_loop *loop, const struct ts_place *where)
 {
@@ -52,7 +53,8 @@ enum ts_status ts_check_loop_of(struct ts_script *script, const struct ts_place 
 	int from = label ? -1 : 0;
 
 	*out = NULL;
-	if (!source || !ts_streq(file, "SELF") || !where->line || !ts_streq(where->file, source->name))
+	if (!source || !where->line || !ts_streq(where->file, source->name) ||
+	    !(ts_streq(file, "SELF") || ts_streq(file, source->name)))
 		return TS_OK;
 	for (size_t k = 0; label && k < source->nlabels; k++)
 		if (ts_streq(source->label[k].name, label) && source->label[k].at <= source->at) {
@@ -143,6 +145,8 @@ static bool needs_another_iteration(struct ts_script *script, struct ts_check_lo
 	bool steps = check->nexts != loop->nexts,
 	     news = loop->iterations == 1 || check->reached != loop->reached;
 
+	if (check->jumps_after_error > MOST_AFTER_ERROR && loop->iterations > 1) /* the counts are of one */
+		return false;
 	if (!has_run(check, loop))
 		return loop->iterations < (steps && check->iterations_left ? MOST_JUMPS : MOST_ROUNDS) &&
 		       (!loop->open || loop->iterations < FEW);
@@ -164,7 +168,9 @@ static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop 
 	loop->iterations++;
 	if (!loop->open && may_end_by_unknown(check, loop))
 		ts_check_open_loop(script, loop);
+	check->jumps_after_error += check->nerrors > 0;
 	*follow = needs_another_iteration(script, loop);
+	check->cut |= !*follow && check->nerrors;
 	if (*follow)
 		return begin_iteration(script, loop);
 	event->bounded = true;
@@ -172,7 +178,8 @@ static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop 
 		event->iterations = loop->iterations + check->iterations_left;
 		extrapolate_iterations(script, loop, check->iterations_left);
 	} else {
-		event->endless = !loop->open && !steps && check->branches == loop->branches;
+		event->endless =
+			!loop->open && !steps && check->branches == loop->branches && !check->nerrors;
 		ts_check_open_loop(script, loop);
 	}
 	if (steps)

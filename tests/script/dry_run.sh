@@ -635,4 +635,74 @@ sed -i 's/zplane ${face}/zplane 1/' guessed.in
 "$TSIM" -check -in guessed.in >out 2>err </dev/null
 grep -q 'guessed.in:21: warning: this wall is at distance 0.99995 from the box' out
 report 'a wall that is given there is warned of' $? out
+
+# After an error the rest is read, not gone through: loops may have lost their end, and particles their size.
+check lost.in <<END
+$ball
+fix m all nve
+variable count loop abc
+label on
+run 10
+next count
+jump lost.in on
+variable n loop 300
+label again
+variable v\$n equal 1
+next n
+jump SELF again
+print "\${v250}"
+fix g all gravty
+END
+errors 'loops behind an error' <<'END'
+6:21: expected a whole number, found 'abc'
+17:11: unknown fix style 'gravty'
+END
+says 'loops behind an error' '  lost.in:10           jump lost.in on: taken 19 times, not followed further'
+check again.in <<END
+units si
+$ball
+variable n loop 3
+next n
+variable n delete
+jump SELF
+END
+errors 'a jump to the first line' <<'END'
+1:1: units must come before
+END
+[ "$(sed -n 's/.*jump SELF: .* \([0-9]*\) executed.*/\1/p' out)" -le 110 ]
+report 'a jump to the first line is followed a few times' $? out
+# 50 million pairs of particles that have kept the diameter 1
+(
+	ulimit -v 1500000
+	check unset.in <<'END'
+boundary f f f
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+create_atoms 1 random 10000 7 b
+set type 1 diameter 0.001 density 2500 0.5
+pair_style spring/dashpot
+pair_coeff * * stiffness 1 restitution 0.5
+fix m all nve
+timestep 1e-9
+run 10
+END
+	exit $status
+)
+status=$?
+errors 'the contacts of a scene that lacks a line are not searched' <<'END'
+5:40: set: unknown keyword '0.5'
+END
+
+# In a branch of which it is unknown whether it is taken: a word that is no name; but not one that may be defined later.
+check branch.in <<END
+$ball
+fix m all nve
+run 1
+if "\$(ke) > 1" then "variable a equal ke+nan" else "variable a equal ke"
+if "\$(ke) > 1" then "variable b equal c_late+v_later+f_latest[1]" else "variable b equal 0"
+print "\${a} \${b}"
+END
+errors 'formulas of variables of branches' <<'END'
+7:42: unknown name 'nan'
+END
 finish
