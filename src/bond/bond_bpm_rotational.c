@@ -143,9 +143,9 @@ static const char *const more[] = {
 	"and tau_t, else `tau`; the mode of a broken bond is tension or shear alike. With `break no` there "
 	"is nothing to compare with: `ratio` and `mode` are 0, B is `sigma` or `tau`. The columns force, "
 	"shear, bending and twist are the loads that act, multiplied by w. The force that fix bond/breakage "
-	"lists is about 0 with smoothing, as w is. Particles are "
-	"integrated by fix nve/sphere, or nve/bpm/sphere, the same. A bond that turns by more than 90 "
-	"degrees between its ends, or that extends over half a periodic box, is an error.",
+	"lists is about 0 with smoothing, as w is. Particles are integrated by fix nve/sphere, or "
+	"nve/bpm/sphere, the same. A bond that turns by more than 90 degrees between its ends, or that "
+	"extends over half a periodic box, is an error.",
 	NULL
 };
 

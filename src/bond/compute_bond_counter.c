@@ -75,8 +75,7 @@ const struct ts_style ts_compute_bond_counter = {
 	       "that at the end of a run begin a new count, the row in the set-up of a run does not. Reading "
 	       "the compute in other steps, as by fix ave/time or fix print, begins no new count: to print "
 	       "counts per interval give `thermo` the same interval. The thermo keywords bonds and "
-	       "brokenbonds are the "
-	       "present number and the total of broken ones.\n\n"
+	       "brokenbonds are the present number and the total of broken ones.\n\n"
 	       "The meaning of the six numbers is that of the documentation of LIGGGHTS-INL "
 	       "(compute_bond_counter.txt).",
 	.example = "compute status all bond/counter\nthermo_style custom step c_status[2] c_status[3]",

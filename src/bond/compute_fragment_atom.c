@@ -34,8 +34,7 @@ const struct ts_style ts_compute_fragment_atom = {
 	.doc = "A fragment is a set of particles of the group that are connected by bonds, directly or "
 	       "through others. Its ID is the smallest particle ID in it. Particles outside the group have "
 	       "0, and so have particles without bonds unless `single yes`. A particle of the group whose "
-	       "bonds "
-	       "all lead to particles outside it is a fragment of its own.",
+	       "bonds all lead to particles outside it is a fragment of its own.",
 	.example = "compute piece rock fragment/atom single yes",
 	.args = args,
 	.state_size = sizeof(struct state),

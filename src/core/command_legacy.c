@@ -74,12 +74,11 @@ static const char *const further[] = {
 	"erotate/sphere, in LIGGGHTS each the mass of the clump; history columns of compute pair/gran/local "
 	"with hooke/hysteresis are sx sy sz deltaMax, in LIGGGHTS deltaMax sx sy sz, and those of cohesion "
 	"washino are in another order, too; templates of spheres and clumps in one mixture are drawn in "
-	"another order; "
-	"particles in a region mesh/tet or mesh/hex are inserted at other positions; the default log has no "
-	"column Volume. And compute pe, compute pe/atom and the keywords pe, etotal and epair give the "
-	"elastic energy of contacts. LIGGGHTS and LAMMPS give 0 for granular contacts, because their "
-	"granular pair styles compute no energy; the energy balance (fix energy/ledger) needs it. `tsim "
-	"-crosscheck` shows such columns and does not count them as differences.\n\n"
+	"another order; particles in a region mesh/tet or mesh/hex are inserted at other positions; the "
+	"default log has no column Volume. And compute pe, compute pe/atom and the keywords pe, etotal and "
+	"epair give the elastic energy of contacts. LIGGGHTS and LAMMPS give 0 for granular contacts, "
+	"because their granular pair styles compute no energy; the energy balance (fix energy/ledger) needs "
+	"it. `tsim -crosscheck` shows such columns and does not count them as differences.\n\n"
 	"The option `-legacy` of the command line does the same, `-legacy lammps` as `legacy lammps`, for "
 	"scripts that the other program must read, too.",
 	NULL,

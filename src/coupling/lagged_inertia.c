@@ -115,8 +115,7 @@ static enum ts_status report_cell(const struct ts_instance *self, const struct t
 	ts_grid_indices(grid, at, cell);
 	return ts_report_limit(report, 0, false, &self->where,
 			       "fix %s on particles of density %.4g, %.2g of the cell at (%.3g %.3g %.3g), "
-			       "in a fluid of "
-			       "density %.4g, which learns their acceleration a step later: %s",
+			       "in a fluid of density %.4g, which learns their acceleration a step later: %s",
 			       self->style->name, lag->particle, 1 - fluid->void_fraction[at],
 			       grid->centre[0][cell[0]], grid->centre[1][cell[1]], grid->centre[2][cell[2]],
 			       lag->fluid, remedy_for(lag));

@@ -25,10 +25,9 @@ const struct ts_style ts_compute_active_pi = {
 	.summary = "Active particles in chemical-mechanical polishing: particle indentation model",
 	.doc = "Number of abrasive particles that are pressed between a pad and a wafer. The particles, of "
 	       "the volume V_p of one with the mean radius, fill the volume fraction phi of the slurry. "
-	       "Eligible are those that would "
-	       "be in the volume of the asperities that touch the wafer; active are those with a diameter "
-	       "above the distance t at which the largest particle, of radius a_max, keeps wafer and "
-	       "asperities apart:\n\n"
+	       "Eligible are those that would be in the volume of the asperities that touch the wafer; "
+	       "active are those with a diameter above the distance t at which the largest particle, of "
+	       "radius a_max, keeps wafer and asperities apart:\n\n"
 	       "  N_all = phi V_gap/V_p, N_elig = phi V_asp/V_p, N_act = N_elig (1 - F(t)),\n"
 	       "  t = 2 a_max - D_wafer - D_pad, D = p a_max/(2 H)\n\n"
 	       "F is the normal distribution of the diameters, and a_max the mean radius and 1.5 of their "

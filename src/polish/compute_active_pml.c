@@ -21,8 +21,8 @@ const struct ts_style ts_compute_active_pml = {
 	.summary = "Active particles in chemical-mechanical polishing: particle mono-layer model",
 	.doc = "Number of abrasive particles that are pressed between a pad and a wafer. The particles, of "
 	       "the volume V_p of one with the mean radius, fill the volume fraction phi of the slurry "
-	       "evenly; those of the layer next "
-	       "to the wafer are eligible, and active are those in the real contacts of pad and wafer:\n\n"
+	       "evenly; those of the layer next to the wafer are eligible, and active are those in the real "
+	       "contacts of pad and wafer:\n\n"
 	       "  N_all = phi V_gap/V_p, lambda = (phi/V_p)^(1/3), N_elig = lambda^2 A_nom, N_act = lambda^2 "
 	       "A_real.\n\n"
 	       "Volume of the gap and area of the contacts are those of a compute surface/contact. Particles "

@@ -131,10 +131,9 @@ static enum ts_status refuse_advancing(struct tsim *sim, const struct ts_place *
 			if (what)
 				return ts_fail(&sim->error, TS_STATE, where,
 					       "rerun integrates nothing in time, but %s of %s %s (%s:%d) "
-					       "would "
-					       "make a time step at each frame, whatever the time between "
-					       "frames: "
-					       "leave it out (flow_style none, or a flow that is imposed)",
+					       "would make a time step at each frame, whatever the time "
+					       "between frames: leave it out (flow_style none, or a flow "
+					       "that is imposed)",
 					       what, ts_kind_name((enum ts_kind)kind), inst->style->name,
 					       TS_FILE_AND_LINE(inst->where));
 		}

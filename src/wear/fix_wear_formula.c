@@ -143,8 +143,7 @@ static enum ts_status read_settings(struct ts_instance *self, struct tsim *sim)
 		if (s->variable[one.quantity])
 			return ts_fail(&sim->error, TS_SYNTAX, &pair.word[0].place,
 				       "fix wear/formula: set %s %s: variable '%s' gets this quantity "
-				       "already; name "
-				       "that one in the formula",
+				       "already; name that one in the formula",
 				       quantity_names[one.quantity], one.name, s->variable[one.quantity]);
 		TS_TRY(require_internal(sim, &pair.word[1]));
 		s->variable[one.quantity] = one.name;
