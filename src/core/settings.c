@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 
+#include "core/ranks.h"
 #include "core/units.h"
 
 #include "base/banned.h"
@@ -76,7 +77,8 @@ void ts_settings_log_run(struct tsim *sim)
 	struct ts_str line = { 0 };
 	const char *text;
 
-	if (!ts_log_wants_settings(&sim->log))
+	/* with several ranks all go on, as some settings are found by all of them */
+	if (ts_ranks(sim) == 1 && !ts_log_wants_settings(&sim->log))
 		return;
 	ts_str_add(&line, "# settings:");
 	ts_setting(&line, sim->units == TS_UNITS_LJ, "units %s", ts_units_name(sim->units));

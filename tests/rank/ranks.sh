@@ -31,6 +31,8 @@ done
 # Contact laws of all types are known to a rank that has no particles when a run begins.
 cp "$scenes/in.late" .
 same_scenes 2 late
+ranks 2 -full columns -in in.late -log none -screen none -var out full && same 'all columns: two ranks' alone/late/x.dump full.dump
+report 'all columns: two ranks run' $? out
 [ -d ranks.2 ] || in_turn 2 ranks.2 looks named burst feed rain # other numbers were asked for
 # Outputs of in.looks read particles only, and checks of the time step need none of other ranks: contacts are gathered for the
 # end of the run.
