@@ -70,13 +70,16 @@ enum { REBUILD_STEPS = 80 };
 /* lower bound, in units of the smallest radius: particles at rest now may begin to move */
 static const double SKIN_LEAST = 0.02;
 
-static double skin_for_speed(double displacement, double least_radius, double given)
+static double skin_for_rare_rebuilds(double displacement, double least_radius)
+{
+	return fmax(sqrt(SKIN_MEMORY * displacement * 2 * least_radius), SKIN_LEAST * least_radius);
+}
+
+static double skin_for_fast_particles(double displacement, double least_radius)
 {
 	double size = 2 * least_radius;
-	double best = SKIN_BEST * size * pow(displacement / size, 0.25);
-	double rare = fmax(sqrt(SKIN_MEMORY * displacement * size), SKIN_LEAST * least_radius);
 
-	return fmax(fmin(rare, given), fmin(2 * REBUILD_STEPS * displacement, best));
+	return fmin(2 * REBUILD_STEPS * displacement, SKIN_BEST * size * pow(displacement / size, 0.25));
 }
 
 /* Whether some effects occur only at rebuilds, as in LIGGGHTS: the end of the history of parted contacts, and the
@@ -87,19 +90,19 @@ static bool rebuilds_are_visible(const struct tsim *sim)
 	       (sim->particles->lost_policy == TS_LOST_IGNORE && !ts_leaving_apart(sim));
 }
 
-/* The skin, length, for the displacement per step of the fastest particle. It is larger than given only if all faces are
- * fixed: at other faces rebuilds have visible effects (particles are wrapped, faces are shrink-wrapped), which should not be
- * rarer than with the given skin. */
+/* The skin, length, for the displacement per step of the fastest particle. Fast particles have a larger one, which may be
+ * larger than given, only if all faces are fixed: at other faces the steps of rebuilds are visible (particles are wrapped, which
+ * rounds; faces are shrink-wrapped). */
 static double choose_skin(const struct tsim *sim, double displacement, bool walls_move)
 {
-	double given = sim->neigh->given_skin;
-	double skin = skin_for_speed(displacement, sim->neigh->least_radius, given);
+	double given = sim->neigh->given_skin, least = sim->neigh->least_radius;
+	double skin = fmin(skin_for_rare_rebuilds(displacement, least), given);
 	bool ignores_lost = sim->particles->lost_policy == TS_LOST_IGNORE;
 
+	if (ts_domain_all_fixed(sim))
+		skin = fmax(skin, skin_for_fast_particles(displacement, least));
 	if (skin <= given)
 		return walls_move || ignores_lost ? given : skin;
-	if (!ts_domain_all_fixed(sim))
-		return given;
 	return walls_move && ignores_lost ? ts_leaving_skin(given, skin) : skin;
 }
 
