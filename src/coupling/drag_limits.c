@@ -17,12 +17,8 @@
 static void warn_of_cells(const struct ts_instance *self, struct tsim *sim, double diameter)
 {
 	const struct ts_drag *s = self->state;
-	const struct ts_grid *grid = &s->fluid->grid;
-	double least = INFINITY;
+	const double least = ts_grid_least_width(&s->fluid->grid);
 
-	for (int d = 0; d < grid->dimensions; d++)
-		for (int i = 0; i < grid->n[d]; i++)
-			least = fmin(least, grid->width[d][i]);
 	if (least < diameter)
 		ts_warn(&sim->log, &self->where,
 			"fix %s: cells of the fluid are down to %g wide and particles up to %g: laws of drag "

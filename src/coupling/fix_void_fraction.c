@@ -109,12 +109,8 @@ static void add_rows_in_batches(void *data, const int32_t *row, size_t n)
 static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, double diameter)
 {
 	const struct state *s = self->state;
-	const struct ts_grid *grid = &s->fluid->grid;
-	double least = INFINITY;
+	const double least = ts_grid_least_width(&s->fluid->grid);
 
-	for (int d = 0; d < grid->dimensions; d++)
-		for (int i = 0; i < grid->n[d]; i++)
-			least = fmin(least, grid->width[d][i]);
 	if (s->method != TS_VOLUME_CENTRE || !(least < diameter))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,

@@ -17,12 +17,7 @@ static double half_width(const struct ts_coupling_volume *how, double radius)
 
 int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_coupling_volume *how, double radius)
 {
-	double least = INFINITY;
-
-	for (int d = 0; d < grid->dimensions; d++)
-		for (int i = 0; i < grid->n[d]; i++)
-			least = fmin(least, grid->width[d][i]);
-	return (int)fmin(ceil(half_width(how, radius) / least), 1e6);
+	return (int)fmin(ceil(half_width(how, radius) / ts_grid_least_width(grid)), 1e6);
 }
 
 /* Cells along an axis that the particle reaches; face: coordinates of their faces relative to the centre

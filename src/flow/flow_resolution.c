@@ -92,13 +92,9 @@ static double largest_acceleration(const struct ts_fluid *fluid)
  * the pressure gradient alone would cause until viscosity has diffused over a cell. */
 static bool is_at_rest(const struct ts_fluid *fluid, double fastest)
 {
-	const struct ts_grid *grid = &fluid->grid;
-	double least = INFINITY, time;
+	const double least = ts_grid_least_width(&fluid->grid);
+	const double time = fmin(fluid->time, least * least * fluid->density / fluid->viscosity);
 
-	for (int d = 0; d < grid->dimensions; d++)
-		for (int i = 0; i < grid->n[d]; i++)
-			least = fmin(least, grid->width[d][i]);
-	time = fmin(fluid->time, least * least * fluid->density / fluid->viscosity);
 	return !(fastest > ROUND_OFF * largest_acceleration(fluid) * time);
 }
 

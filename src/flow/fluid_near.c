@@ -100,13 +100,7 @@ static enum ts_status make_rooms(struct ts_fluid *fluid, uint64_t hash, const st
 /* At first particles may be one cell beyond the block of their rank. */
 static void choose_margin(struct ts_fluid *fluid)
 {
-	const struct ts_grid *grid = &fluid->grid;
-	double least = INFINITY;
-
-	for (int d = 0; d < grid->dimensions; d++)
-		for (int i = 0; i < grid->n[d]; i++)
-			least = fmin(least, grid->width[d][i]);
-	fluid->near.margin = fmax(fluid->near.margin, least);
+	fluid->near.margin = fmax(fluid->near.margin, ts_grid_least_width(&fluid->grid));
 }
 
 enum ts_status ts_fluid_near_make(struct ts_fluid *fluid, const struct ts_rank_blocks *blocks, bool *made)

@@ -228,8 +228,7 @@ const struct ts_expr_function ts_special_functions[] = {
 	    "1 if a variable, group, region, compute, fix or dump of that id exists"),
 	ASK("is_active", "category,style", 2, eval_is_active,
 	    "1 if a fix, compute, pair, ... of that style is defined; of category pair also the properties "
-	    "of "
-	    "LAMMPS: single is 1 if there is a pair style, respa, manybody, tail and shift are 0"),
+	    "of LAMMPS: single is 1 if there is a pair style, respa, manybody, tail and shift are 0"),
 	ASK("is_available", "category,style", 2, eval_is_available,
 	    "1 if tsim has a command, fix, pair, ... of that name"),
 	ASK("extract_setting", "name", 1, eval_extract_setting,

@@ -94,6 +94,16 @@ void ts_grid_release(struct ts_grid *grid)
 	*grid = (struct ts_grid){ 0 };
 }
 
+double ts_grid_least_width(const struct ts_grid *grid)
+{
+	double least = INFINITY;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d]; i++)
+			least = fmin(least, grid->width[d][i]);
+	return least;
+}
+
 int ts_grid_bisect(const struct ts_grid *grid, int d, double x)
 {
 	const double *face = grid->face[d];

@@ -77,6 +77,9 @@ static inline size_t ts_grid_cells(const struct ts_grid *grid)
 	return (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
 }
 
+/* Width of the narrowest cell along any axis. */
+double ts_grid_least_width(const struct ts_grid *grid);
+
 /* ts_grid_find by bisection, for x in the grid. */
 int ts_grid_bisect(const struct ts_grid *grid, int d, double x);
 

@@ -68,7 +68,8 @@ static void copy_force(double to[3], const double from[3], bool swapped)
 		to[k] = swapped ? -from[k] : from[k];
 }
 
-static void save_torque(const struct ts_contact_list *list, size_t slot, bool swapped, double to[7])
+static void save_torque(const struct ts_contact_list *list, size_t slot, bool swapped,
+			double to[TS_HISTORY_TORQUE])
 {
 	to[0] = ts_contact_force(list, slot)[3];
 	for (int k = 0; k < 3; k++)
@@ -78,7 +79,7 @@ static void save_torque(const struct ts_contact_list *list, size_t slot, bool sw
 }
 
 static void restore_torque(const struct ts_contact_list *list, size_t slot, bool swapped,
-			   const double from[7])
+			   const double from[TS_HISTORY_TORQUE])
 {
 	if (list->parts < 2)
 		return;
@@ -573,6 +574,7 @@ enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsi
 	TS_TRY(ts_archive_fixed(archive, "history_keys", TS_SAVED_I32, h->key, 3 * h->n));
 	TS_TRY(ts_archive_fixed(archive, "history", TS_SAVED_F64, h->value, h->n * h->width));
 	if (torques && h->n) /* missing in older files, whose contacts have none until the first step */
-		TS_TRY(ts_archive_fixed(archive, "contact_torques", TS_SAVED_F64, h->torque, 7 * h->n));
+		TS_TRY(ts_archive_fixed(archive, "contact_torques", TS_SAVED_F64, h->torque,
+					TS_HISTORY_TORQUE * h->n));
 	return ts_archive_fixed(archive, "forces", TS_SAVED_F64, h->force, 3 * h->n);
 }

@@ -7,6 +7,7 @@
 #include "neigh/contact_list.h"
 
 enum { TS_HISTORY_OTHER_SIDE = 1 << 30 }; /* see the winding of a key */
+enum { TS_HISTORY_TORQUE = 7 };		  /* numbers that the torques of a contact depend on */
 
 struct ts_contact_history {
 	size_t n, width;
@@ -21,7 +22,7 @@ struct ts_contact_history {
 	double (*force)[3]; /* force on the smaller identity; NULL: forces are not saved */
 	/* with the forces, if the laws have torques: half the overlap, the tangential torque for a lever arm of 1, the rolling
 	 * torque on the smaller identity */
-	double (*torque)[7];
+	double (*torque)[TS_HISTORY_TORQUE];
 	bool lent;	  /* `key` and `value` are in memory of the list, and not to be freed */
 	bool overlapping; /* only pairs that overlap now get their history back */
 	bool parted;	  /* all get it back, and those that overlap now touch */

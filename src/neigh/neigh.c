@@ -541,10 +541,8 @@ static const struct ts_saved saved[] = {
 static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
 {
 	const struct ts_neigh *nb = self->state;
-	double least, most;
 
-	ts_neigh_radii(sim, &least, &most);
-	if (most > 0) /* there are particles */
+	if (ts_ranks_most(sim, (double)sim->particles->n) > 0)
 		ts_setting(out, !(nb->skin > 0), "neighbor %.6g%s", ts_neigh_skin(sim),
 			   nb->fixed_skin ? " fixed" : "");
 	ts_setting(out, nb->nexclude == 0, "excluded %d", (int)nb->nexclude);

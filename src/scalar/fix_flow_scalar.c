@@ -652,8 +652,7 @@ static enum ts_status limit_exchange(struct ts_instance *self, struct tsim *sim,
 	report->undecided |= sim->division && BLOCKS * rate * sim->clock.dt > 1;
 	return ts_report_limit(report, rate > 0 ? 1 / rate : INFINITY, false, &self->where,
 			       "explicit heat exchange of fix flow/scalar, rho c e V/sum(pi d k Nu) of a "
-			       "cell "
-			       "divided by `every`");
+			       "cell divided by `every`");
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)

@@ -91,25 +91,17 @@ compute n all bond/counter
 thermo_style custom step c_n[1] c_n[2] c_n[3] c_n[4]
 thermo 10
 END2
-echo 'include in.counter
-run 10
-set atom 5 z 0.00401
-set atom 3 z 0.00199
-run 20' >in.script
-"$TSIM" -in in.script -log none >out 2>&1
-rows out | awk '{ print $1, $2, $3, $4, $5 }' >found
+# counter_rows [LINES]: the thermo output of a run in which bonds form and break; with other readers
+counter_rows() {
+	printf '%s\n' 'include in.counter' "$@" 'run 10' 'set atom 5 z 0.00401' 'set atom 3 z 0.00199' 'run 20' >in.script
+	"$TSIM" -in in.script -log none >out 2>&1
+	rows out | awk '{ print $1, $2, $3, $4, $5 }' >found
+}
+counter_rows
 printf '%s\n' '0 0 0 0 0' '10 4 0 4 0' '10 0 3 1 0' '20 0 3 1 0' '30 0 0 1 0' >expected
 same 'bond/counter' expected found
 # other readers take no counts away, in the steps of thermo output or in others
-echo 'include in.counter
-fix mean all ave/time 1 5 5 c_n[3]
-fix said all print 5 "counts $(c_n[1])"
-run 10
-set atom 5 z 0.00401
-set atom 3 z 0.00199
-run 20' >in.script
-"$TSIM" -in in.script -log none >out 2>&1
-rows out | awk '{ print $1, $2, $3, $4, $5 }' >found
+counter_rows 'fix mean all ave/time 1 5 5 c_n[3]' 'fix said all print 5 "counts $(c_n[1])"'
 same 'bond/counter with other readers' expected found
 grep '^counts' out | head -n 2 >found
 printf '%s\n' 'counts 4' 'counts 4' >expected

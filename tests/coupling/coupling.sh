@@ -4,14 +4,15 @@
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
 # ---- refusals
-head='units si
+periodic='units si
 boundary p p p
 newton off
-communicate single vel yes
+communicate single vel yes'
+head="$periodic
 region box block 0 1 0 1 0 1 units box
 create_box 1 box
 create_atoms 1 single 0.5 0.5 0.5 units box
-set group all diameter 0.01 density 2385'
+set group all diameter 0.01 density 2385"
 still="$head
 flow_style uniform velocity 0.5 0 0 viscosity 1e-3 density 1000"
 solved="$head
@@ -219,16 +220,13 @@ run 1" 'needs the void fraction'
 # ---- light or dense particles, whose acceleration the fluid learns a step later: told at both sides of the density at which
 # the amplitudes of |z| = 1 for phi = pi/6, in a fluid of 1000. Without added mass it is 1000 phi/(1 - phi) = 1099.07; with it
 # that where the recurrence (m + A) b = -G + A a, f = A (a - b), a' = -r b, G' = -rho a' - r f neither grows nor decays.
-crowded='units si
-boundary p p p
-newton off
-communicate single vel yes
+crowded="$periodic
 region box block 0 8 0 8 0 8 units box
 create_box 1 box
 lattice sc 1 origin 0.5 0.5 0.5
 create_atoms 1 box
 flow_style projection cells 4 4 4 viscosity 1e-3 density 1000
-timestep 1e-4'
+timestep 1e-4"
 pair='fix e all void_fraction
 fix p all flow/pressure_gradient'
 # lags WHAT DENSITY REMEDY LINES: a warning with the remedy below the density, none above it
@@ -269,10 +267,7 @@ fix hold light freeze" "${mixed/set group light density 500/set atom 1 density 5
 	report 'no word about others' $? out
 done
 # inserted later, with the step
-prints "units si
-boundary p p p
-newton off
-communicate single vel yes
+prints "$periodic
 region box block 0 8 0 8 0 8 units box
 create_box 1 box
 flow_style projection cells 4 4 4 viscosity 1e-3 density 1000
