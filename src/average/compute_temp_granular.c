@@ -14,7 +14,7 @@ struct pass {
 	int number;
 };
 
-static void term_of_pass(const struct tsim *sim, size_t i, void *context, double *term)
+static void term_of_pass(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct pass *pass = context;
 

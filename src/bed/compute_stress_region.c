@@ -201,7 +201,7 @@ struct motion {
 	double mean[3];
 };
 
-static void mass_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void mass_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct motion *m = context;
 	const struct ts_particles *p = sim->particles;
@@ -212,7 +212,7 @@ static void mass_term(const struct tsim *sim, size_t i, void *context, double *t
 		term[1 + d] = mass * p->v[i][d];
 }
 
-static void flux_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void flux_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct motion *m = context;
 	const struct ts_particles *p = sim->particles;

@@ -82,7 +82,7 @@ enum ts_status ts_contact_energy_require(struct tsim *sim, const struct ts_insta
 	return ts_contacts_require(sim, self);
 }
 
-static void energy_term(const struct tsim *sim, size_t i, void *context, double *out)
+static void energy_term(const struct tsim *sim, size_t i, const void *context, double *out)
 {
 	*out = ts_contact_energy_of_particle(sim, i, context);
 }

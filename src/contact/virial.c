@@ -57,7 +57,7 @@ void ts_virial_of_particle(const struct tsim *sim, size_t i, const struct ts_vir
 		add_virial_of_bonds(sim, i, w);
 }
 
-static void virial_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void virial_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	ts_virial_of_particle(sim, i, context, term);
 }

@@ -1,5 +1,6 @@
 #include "average/particle_tally.h"
 #include "base/axes.h"
+#include "core/deferred_loops.h"
 #include "core/number_or_peratom.h"
 #include "energy/potential_energy.h"
 #include "group/chosen.h"
@@ -52,25 +53,53 @@ static double particle_energy(const struct addforce *s, const struct tsim *sim, 
 	return energy;
 }
 
-static enum ts_status add_force(struct ts_instance *self, struct tsim *sim)
-{
-	struct addforce *s = self->state;
-	struct ts_particles *p = sim->particles;
+struct task {
+	const struct tsim *sim;
+	struct addforce *s;
+	int group;
+};
 
-	if (sim->clock.step % s->every != 0)
-		return TS_OK;
-	TS_TRY(ts_region_update(s->region, sim));
-	TS_TRY(ts_particle_tally_start(sim, &s->before));
-	TS_TRY(evaluate_variables(self, sim));
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_chosen(p, i, self->group, s->region))
+static void add_range(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->sim->particles;
+	struct addforce *s = t->s;
+
+	for (size_t i = from; i < to; i++) {
+		double *note = s->before.note[i];
+
+		if (!ts_chosen(p, i, t->group, s->region)) {
+			memset(note, 0, sizeof s->before.note[i]);
 			continue;
-		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
-		s->before.note[i][ENERGY] = particle_energy(s, sim, i);
+		}
+		memcpy(note, p->f[i], sizeof p->f[i]);
+		note[ENERGY] = particle_energy(s, t->sim, i);
 		for (int k = 0; k < 3; k++)
 			p->f[i][k] += ts_number_or_peratom_of(&s->now[k], i);
 	}
+}
+
+static bool is_constant(const struct addforce *s)
+{
+	return !s->region && !s->energy.variable && !s->f[0].variable && !s->f[1].variable &&
+	       !s->f[2].variable;
+}
+
+static enum ts_status add_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct addforce *s = self->state;
+	struct task task = { sim, s, self->group };
+
+	if (sim->clock.step % s->every != 0)
+		return TS_OK;
+	if (!is_constant(s)) /* a region and a variable may read particles */
+		ts_deferred_loops_run(sim);
+	TS_TRY(ts_region_update(s->region, sim));
+	TS_TRY(ts_particle_tally_start_unset(sim, &s->before));
+	TS_TRY(evaluate_variables(self, sim));
+	TS_DEFER_LOOP(sim, sim->particles->n, add_range, &task);
+	if (!is_constant(s)) /* it is of this step */
+		ts_deferred_loops_run(sim);
 	return TS_OK;
 }
 
@@ -154,5 +183,6 @@ const struct ts_style ts_fix_addforce = {
 	.energy = ts_energy_output,
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = add_force },
+	.defers = TS_DEFERS(POST_FORCE),
 	.fini = fini,
 };

@@ -1,4 +1,6 @@
 /* Fix damping/cundall: local damping of P. A. Cundall. */
+#include "base/clones.h"
+#include "core/deferred_loops.h"
 #include "core/sim.h"
 #include "group/group_members.h"
 #include "particle/particles.h"
@@ -22,27 +24,42 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 /* f - gamma |f| sgn(v), for each component */
-static void damp(double gamma, const double v[3], double f[3])
+static inline void damp(double gamma, const double v[restrict 3], double f[restrict 3])
 {
-	for (int k = 0; k < 3; k++)
-		f[k] -= gamma * fabs(f[k]) * ((v[k] > 0) - (v[k] < 0));
+	for (int k = 0; k < 3; k++) {
+		double size = gamma * fabs(f[k]);
+
+		f[k] -= v[k] > 0 ? size : v[k] < 0 ? -size : 0;
+	}
+}
+
+struct task {
+	const struct ts_particles *p;
+	const struct state *s;
+	int group;
+};
+
+TS_CLONES static void damp_range(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
+	const struct ts_particles *p = t.p;
+
+	for (size_t i = from; i < to; i++) {
+		double factor = t.s->factor[p->type[i]];
+
+		if (!ts_in_group(p, i, t.group))
+			continue;
+		damp(t.s->linear * factor, p->v[i], p->f[i]);
+		if (p->omega && p->torque)
+			damp(t.s->angular * factor, p->omega[i], p->torque[i]);
+	}
 }
 
 static enum ts_status add_damping(struct ts_instance *self, struct tsim *sim)
 {
-	const struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
+	struct task task = { sim->particles, self->state, self->group };
 
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double factor = s->factor[p->type[i]];
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		damp(s->linear * factor, p->v[i], p->f[i]);
-		if (p->omega && p->torque)
-			damp(s->angular * factor, p->omega[i], p->torque[i]);
-	}
+	TS_DEFER_LOOP(sim, sim->particles->n, damp_range, &task);
 	return TS_OK;
 }
 
@@ -75,4 +92,5 @@ const struct ts_style ts_fix_damping_cundall = {
 	.state_size = sizeof(struct state),
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = add_damping },
+	.defers = TS_DEFERS(POST_FORCE),
 };

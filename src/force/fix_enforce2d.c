@@ -1,5 +1,8 @@
 /* Fix enforce2d: keeps particles in the x-y plane. */
+#include "base/clones.h"
+#include "core/deferred_loops.h"
 #include "force/restraint.h"
+#include "group/group_members.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -12,20 +15,34 @@ static enum ts_status require_two_dimensions(struct ts_instance *self, struct ts
 		       "fix enforce2d requires two dimensions: use `dimension 2` before the box is created");
 }
 
+struct task {
+	const struct ts_particles *p;
+	int group;
+};
+
+TS_CLONES static void flatten_range(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
+	double(*restrict v)[3] = t.p->v, (*restrict f)[3] = t.p->f;
+	double(*restrict omega)[3] = t.p->omega, (*restrict torque)[3] = t.p->torque;
+	bool all = ts_group_members(t.p, t.group, from, to) == to - from;
+
+	for (size_t i = from; i < to; i++) {
+		if (!all && !ts_in_group(t.p, i, t.group))
+			continue;
+		v[i][2] = f[i][2] = 0;
+		if (omega)
+			omega[i][0] = omega[i][1] = 0;
+		if (torque)
+			torque[i][0] = torque[i][1] = 0;
+	}
+}
+
 static enum ts_status clear_out_of_plane(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
+	struct task task = { sim->particles, self->group };
 
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		p->v[i][2] = p->f[i][2] = 0;
-		if (p->omega)
-			p->omega[i][0] = p->omega[i][1] = 0;
-		if (p->torque)
-			p->torque[i][0] = p->torque[i][1] = 0;
-	}
+	TS_DEFER_LOOP(sim, sim->particles->n, flatten_range, &task);
 	return TS_OK;
 }
 
@@ -51,5 +68,6 @@ const struct ts_style ts_fix_enforce2d = {
 	.example = "dimension 2\nfix flat all enforce2d",
 	.init = require_two_dimensions,
 	.hook[TS_STAGE_POST_FORCE] = clear_out_of_plane,
+	.defers = TS_DEFERS(POST_FORCE),
 	.restraint = &restraint,
 };

@@ -139,7 +139,7 @@ struct weights {
 	double g[3];
 };
 
-static void potential_energy_term(const struct tsim *sim, size_t i, void *context, double *out)
+static void potential_energy_term(const struct tsim *sim, size_t i, const void *context, double *out)
 {
 	const struct ts_body *body = ts_rigid_body_of(sim, i);
 	const double *g = ((const struct weights *)context)->g;

@@ -71,7 +71,7 @@ struct bath {
 	double kt;
 };
 
-static void random_force_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void random_force_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct bath *bath = context;
 

@@ -39,5 +39,6 @@ const struct ts_style ts_fix_lineforce = {
 	.state_size = sizeof(struct ts_force_filter),
 	.init = ts_force_filter_init,
 	.hook[TS_STAGE_POST_FORCE] = project_forces,
+	.defers = TS_DEFERS(POST_FORCE),
 	.restraint = &restraint,
 };

@@ -1,5 +1,6 @@
 #include "average/particle_tally.h"
 #include "base/axes.h"
+#include "core/deferred_loops.h"
 #include "core/number_or_peratom.h"
 #include "force/restraint.h"
 #include "group/chosen.h"
@@ -15,25 +16,51 @@ struct setforce {
 	struct ts_number_or_peratom now[3];
 };
 
-static enum ts_status set_forces(struct ts_instance *self, struct tsim *sim)
-{
-	struct setforce *s = self->state;
-	struct ts_particles *p = sim->particles;
+struct task {
+	const struct ts_particles *p;
+	struct setforce *s;
+	int group;
+};
 
-	TS_TRY(ts_region_update(s->region, sim));
-	TS_TRY(ts_particle_tally_start(sim, &s->before));
-	for (int k = 0; k < 3; k++)
-		if (!s->f[k].null)
-			TS_TRY(ts_number_or_peratom_now(sim, &s->f[k], &self->where, &s->now[k]));
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_chosen(p, i, self->group, s->region))
+static void set_range(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->p;
+	struct setforce *s = t->s;
+
+	for (size_t i = from; i < to; i++) {
+		double *note = s->before.note[i];
+
+		memset(note, 0, sizeof s->before.note[i]);
+		if (!ts_chosen(p, i, t->group, s->region))
 			continue;
-		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
+		memcpy(note, p->f[i], sizeof p->f[i]);
 		for (int k = 0; k < 3; k++)
 			if (!s->f[k].null)
 				p->f[i][k] = ts_number_or_peratom_of(&s->now[k], i);
 	}
+}
+
+static bool is_constant(const struct setforce *s)
+{
+	return !s->region && !s->f[0].variable && !s->f[1].variable && !s->f[2].variable;
+}
+
+static enum ts_status set_forces(struct ts_instance *self, struct tsim *sim)
+{
+	struct setforce *s = self->state;
+	struct task task = { sim->particles, s, self->group };
+
+	if (!is_constant(s)) /* a region and a variable may read particles */
+		ts_deferred_loops_run(sim);
+	TS_TRY(ts_region_update(s->region, sim));
+	TS_TRY(ts_particle_tally_start_unset(sim, &s->before));
+	for (int k = 0; k < 3; k++)
+		if (!s->f[k].null)
+			TS_TRY(ts_number_or_peratom_now(sim, &s->f[k], &self->where, &s->now[k]));
+	TS_DEFER_LOOP(sim, sim->particles->n, set_range, &task);
+	if (!is_constant(s)) /* it is of this step */
+		ts_deferred_loops_run(sim);
 	return TS_OK;
 }
 
@@ -115,6 +142,7 @@ const struct ts_style ts_fix_setforce = {
 	.archive = archive,
 	.values = values,
 	.hook = { [TS_STAGE_POST_FORCE] = set_forces },
+	.defers = TS_DEFERS(POST_FORCE),
 	.restraint = &restraint,
 	.fini = fini,
 };

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "base/clones.h"
+#include "core/deferred_loops.h"
 #include "particle/sphere_shape.h"
 #include "particle/type_factors.h"
 
@@ -23,15 +25,30 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_type_factors(sim, "fix viscous/sphere", &self->arena, s->scale, &s->factor);
 }
 
+struct task {
+	const struct ts_particles *p;
+	const struct state *s;
+	int group;
+};
+
+TS_CLONES static void damp_range(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
+	double(*restrict torque)[3] = t.p->torque, (*restrict omega)[3] = t.p->omega;
+
+	for (size_t i = from; i < to; i++) {
+		double gamma = t.s->gamma * t.s->factor[t.p->type[i]];
+
+		for (int k = 0; ts_in_group(t.p, i, t.group) && k < 3; k++)
+			torque[i][k] -= gamma * omega[i][k];
+	}
+}
+
 static enum ts_status add_viscous_torque(struct ts_instance *self, struct tsim *sim)
 {
-	const struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
+	struct task task = { sim->particles, self->state, self->group };
 
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++)
-			p->torque[i][k] -= s->gamma * s->factor[p->type[i]] * p->omega[i][k];
+	TS_DEFER_LOOP(sim, sim->particles->n, damp_range, &task);
 	return TS_OK;
 }
 
@@ -65,5 +82,6 @@ const struct ts_style ts_fix_viscous_sphere = {
 	.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
 	.init = init,
 	.hook[TS_STAGE_POST_FORCE] = add_viscous_torque,
+	.defers = TS_DEFERS(POST_FORCE),
 	.ground = add_ground,
 };

@@ -1,5 +1,6 @@
 #include "force/force_filter.h"
 
+#include "core/deferred_loops.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
 
@@ -30,12 +31,24 @@ void ts_force_filter_one(const struct ts_instance *self, double along, double ac
 	}
 }
 
+struct task {
+	const struct ts_particles *p;
+	const struct ts_instance *self;
+	double along, across;
+};
+
+static void filter_range(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+
+	for (size_t i = from; i < to; i++)
+		if (ts_in_group(t->p, i, t->self->group))
+			ts_force_filter_one(t->self, t->along, t->across, t->p->f[i]);
+}
+
 void ts_force_filter_apply(struct ts_instance *self, struct tsim *sim, double along, double across)
 {
-	struct ts_particles *p = sim->particles;
+	struct task task = { sim->particles, self, along, across };
 
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			ts_force_filter_one(self, along, across, p->f[i]);
+	TS_DEFER_LOOP(sim, sim->particles->n, filter_range, &task);
 }

@@ -13,7 +13,7 @@ struct ts_force_filter {
 /* Slot init of these fixes: normalises the direction. */
 enum ts_status ts_force_filter_init(struct ts_instance *self, struct tsim *sim);
 
-/* f = along (f . e) e + across (f - (f . e) e) for the particles of the group. */
+/* f = along (f . e) e + across (f - (f . e) e) for the particles of the group; the loop is deferred. */
 void ts_force_filter_apply(struct ts_instance *self, struct tsim *sim, double along, double across);
 /* The same for one force: for restraints. */
 void ts_force_filter_one(const struct ts_instance *self, double along, double across, double f[3]);

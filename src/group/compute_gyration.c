@@ -8,7 +8,7 @@
 #include "base/banned.h"
 
 /* Terms m (x_a - c_a) (x_b - c_b), and m. */
-static void second_moment_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void second_moment_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	ts_mass_second_moment(sim, i, context, term);
 	term[6] = sim->particles->mass[i];

@@ -81,7 +81,7 @@ static uint64_t bin_of(const struct tsim *sim, const struct temp_profile *c, siz
 static void set_mean(const struct tsim *sim, struct temp_profile *c, const uint64_t *key, size_t n)
 {
 	const struct ts_particles *p = sim->particles;
-	struct ts_exactsum sum[4] = { { { 0 }, 0, 0 } };
+	struct ts_exactsum sum[4] = { 0 };
 	double mean[3], mass;
 
 	for (size_t k = 0; k < n; k++) {

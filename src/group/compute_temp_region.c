@@ -9,7 +9,7 @@ struct temp_region {
 	struct ts_instance *region;
 };
 
-static void terms_in_region(const struct tsim *sim, size_t i, void *context, double *term)
+static void terms_in_region(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct temp_region *c = context;
 	const struct ts_particles *p = sim->particles;

@@ -15,7 +15,7 @@ struct temp_sphere {
 };
 
 /* Terms of the kinetic tensor, m v_a v_b + I w_a w_b, and the degrees of freedom of the particle. */
-static void sphere_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void sphere_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct temp_sphere *c = context;
 	const struct ts_particles *p = sim->particles;

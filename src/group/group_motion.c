@@ -9,13 +9,13 @@
 /* The inertia tensor I is singular, particles on a line, if det I is below this fraction of (trace I)^3. */
 static const double SINGULAR = 1e-12;
 
-static void mass_position_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void mass_position_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	(void)context;
 	ts_mass_moment(sim, i, term);
 }
 
-static void momentum_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void momentum_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	(void)context;
 	ts_mass_momentum(sim, i, term);
@@ -40,12 +40,12 @@ void ts_group_velocity(const struct tsim *sim, int group, double v[3])
 	mass_weighted_mean(sim, group, momentum_terms, v);
 }
 
-static void angular_momentum_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void angular_momentum_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	ts_mass_angular_momentum(sim, i, context, term);
 }
 
-static void inertia_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void inertia_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	ts_mass_inertia(sim, i, context, term);
 }

@@ -24,20 +24,20 @@ double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i)
 	return 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
 }
 
-static void kinetic_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void kinetic_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	(void)context;
 	term[0] = ts_kinetic_energy(sim, i);
 }
 
-static void rotation_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void rotation_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	(void)context;
 	term[0] = ts_kinetic_energy_rotation(sim, i);
 }
 
 /* Spheres of clumps have shares of the energy of their clump. */
-static void all_rotation_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void all_rotation_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct ts_body *clump = ts_rigid_clump_of(sim, i);
 

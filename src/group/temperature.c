@@ -10,7 +10,7 @@ struct motion {
 	const void *flow;
 };
 
-static void kinetic_tensor_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void kinetic_tensor_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct motion *m = context;
 	double u[3];

@@ -220,29 +220,47 @@ enum ts_status ts_heat_materials(struct ts_instance *self, struct tsim *sim)
 
 /* ---- outputs and restart files ---- */
 
-struct energy {
-	struct ts_heat *h;
-	struct ts_instance *self;
-	enum ts_status status;
+struct content {
+	const double *temperature, *capacity; /* by particle; by type */
 };
 
-static void heat_content_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void heat_content_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
-	struct energy *e = context;
-	double capacity = 0;
+	const struct content *c = context;
 
-	if (e->status == TS_OK)
-		e->status =
-			heat_capacity_of_type(e->h->sim, sim->particles->type[i], &e->self->where, &capacity);
-	*term = sim->particles->mass[i] * capacity * ts_heat_column(sim, e->h->temperature)[i];
+	*term = sim->particles->mass[i] * c->capacity[sim->particles->type[i]] * c->temperature[i];
+}
+
+/* Of the types that particles have; a type without particles needs none. */
+static enum ts_status find_capacities(const struct ts_instance *self, struct tsim *sim, double *capacity)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (!(capacity[p->type[i]] > 0))
+			TS_TRY(heat_capacity_of_type(sim, p->type[i], &self->where, &capacity[p->type[i]]));
+	return TS_OK;
 }
 
 static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	struct energy e = { self->state, self, TS_OK };
+	const struct ts_heat *h = self->state;
+	const struct ts_particles *p = sim->particles;
+	struct content content = { ts_heat_column(sim, h->temperature), NULL };
+	enum ts_status status;
+	double *capacity;
+	int last = 0;
 
-	ts_group_sum(sim, 0, 1, heat_content_term, &e, out->data);
-	return e.status;
+	for (size_t i = 0; i < p->n; i++)
+		last = p->type[i] > last ? p->type[i] : last;
+	content.capacity = capacity = ts_alloc((size_t)last + 1, sizeof *capacity);
+	if (!capacity)
+		return ts_nomem(&h->sim->error);
+	status = find_capacities(self, h->sim, capacity);
+	ts_group_sum(sim, 0, 1, heat_content_term, &content,
+		     out->data); /* all ranks, whatever the status of one */
+	ts_free(capacity);
+	return status;
 }
 
 static enum ts_status eval_temperature(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)

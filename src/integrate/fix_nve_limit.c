@@ -3,7 +3,9 @@
 
 #include <math.h>
 
-#include "base/parallel.h"
+#include "base/clones.h"
+#include "core/deferred_loops.h"
+#include "group/group_members.h"
 #include "math/vec3.h"
 #include "particle/rank_sums.h"
 #include "particle/particles.h"
@@ -21,8 +23,10 @@ struct state {
 };
 
 struct task {
-	const struct ts_instance *self;
-	struct tsim *sim;
+	const struct ts_particles *p;
+	int64_t *limited;
+	double dt, ratio, absolute; /* the limit: ratio * radius, or absolute */
+	int group;
 	bool moves;
 };
 
@@ -45,42 +49,48 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Kick, and drift on request; velocities that would move a particle by more than the limit in a step are
- * reduced to it. Returns their number. */
-static long kick_and_drift_share(void *context, size_t from, size_t to)
+ * reduced to it and counted. */
+TS_CLONES static void kick_and_drift_range(void *context, size_t from, size_t to)
 {
-	const struct task *task = context;
-	const struct state *s = task->self->state;
-	struct ts_particles *p = task->sim->particles;
-	double dt = task->sim->clock.dt;
-	long limited = 0;
+	const struct task t = *(const struct task *)context;
+	double(*restrict x)[3] = t.p->x, (*restrict v)[3] = t.p->v, (*restrict f)[3] = t.p->f;
+	bool all = ts_group_members(t.p, t.group, from, to) == to - from;
+	int64_t limited = 0;
 
 	for (size_t i = from; i < to; i++) {
-		double most = (s->mode == RADIUS_RATIO ? s->limit * p->radius[i] : s->limit) / dt;
-		double speed;
+		double kick = 0.5 * t.dt / t.p->mass[i];
+		double most = (t.ratio > 0 ? t.ratio * t.p->radius[i] : t.absolute) / t.dt, speed;
 
-		if (!ts_in_group(p, i, task->self->group))
+		if (!all && !ts_in_group(t.p, i, t.group))
 			continue;
 		for (int k = 0; k < 3; k++)
-			p->v[i][k] += 0.5 * dt / p->mass[i] * p->f[i][k];
-		speed = ts_norm(p->v[i]);
+			v[i][k] += kick * f[i][k];
+		speed = ts_norm(v[i]);
 		if (speed > most) {
 			limited++;
-			ts_scale(most / speed, p->v[i], p->v[i]);
+			ts_scale(most / speed, v[i], v[i]);
 		}
-		for (int k = 0; task->moves && k < 3; k++)
-			p->x[i][k] += dt * p->v[i][k];
+		for (int k = 0; t.moves && k < 3; k++)
+			x[i][k] += t.dt * v[i][k];
 	}
-	return limited;
+	if (!limited)
+		return;
+#pragma omp atomic
+	*t.limited += limited;
 }
 
 static enum ts_status kick_and_drift(struct ts_instance *self, struct tsim *sim, bool moves)
 {
 	struct state *s = self->state;
-	struct task task = { self, sim, moves };
-	size_t n = sim->particles->n;
+	struct task task = { .p = sim->particles,
+			     .limited = sim->division ? &s->recent : &s->limited,
+			     .dt = sim->clock.dt,
+			     .ratio = s->mode == RADIUS_RATIO ? s->limit : 0,
+			     .absolute = s->limit,
+			     .group = self->group,
+			     .moves = moves };
 
-	*(sim->division ? &s->recent : &s->limited) +=
-		ts_parallel_count(ts_team(sim, n), n, kick_and_drift_share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, kick_and_drift_range, &task);
 	return TS_OK;
 }
 
@@ -145,4 +155,5 @@ const struct ts_style ts_fix_nve_limit = {
 		[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		[TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 	},
+	.defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),
 };

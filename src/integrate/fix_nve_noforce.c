@@ -1,18 +1,30 @@
 /* Fix nve/noforce: motion with constant velocity, whatever the forces. */
+#include "core/deferred_loops.h"
 #include "force/restraint.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
 
+struct task {
+	const struct ts_particles *p;
+	double dt;
+	int group;
+};
+
+static void drift_range(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
+
+	for (size_t i = from; i < to; i++)
+		for (int k = 0; ts_in_group(t.p, i, t.group) && k < 3; k++)
+			t.p->x[i][k] += t.dt * t.p->v[i][k];
+}
+
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
-	double dt = sim->clock.dt;
+	struct task task = { sim->particles, sim->clock.dt, self->group };
 
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++)
-			p->x[i][k] += dt * p->v[i][k];
+	TS_DEFER_LOOP(sim, sim->particles->n, drift_range, &task);
 	return TS_OK;
 }
 
@@ -37,5 +49,6 @@ const struct ts_style ts_fix_nve_noforce = {
 	.example = "velocity piston set 0 0 -0.1\nfix push piston nve/noforce",
 	.integrates = TS_MOVES,
 	.hook[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+	.defers = TS_DEFERS(INITIAL_INTEGRATE),
 	.restraint = &restraint,
 };

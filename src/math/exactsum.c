@@ -1,13 +1,16 @@
 #include "math/exactsum.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/clones.h"
+
 #include "base/banned.h"
 
 /* An addition changes a limb by less than 2^32: limbs cannot overflow before this number of additions. */
-enum { MOST_WAITING = 1 << 29 };
+enum { MOST_CARRIES = 1 << 29 };
 
 /* Normalises all limbs but the last, which carries the sign, to [0, 2^32). */
 static void propagate_carries(struct ts_exactsum *sum)
@@ -24,10 +27,10 @@ static void propagate_carries(struct ts_exactsum *sum)
 		sum->limb[k] = now & 0xffffffff;
 		up = (now - sum->limb[k]) / (INT64_C(1) << 32);
 	}
-	sum->waiting = 0;
+	sum->carries = 0;
 }
 
-void ts_exactsum_add(struct ts_exactsum *sum, double term)
+static void add_to_limbs(struct ts_exactsum *sum, double term)
 {
 	uint64_t bits, mantissa, low, high;
 	unsigned exponent, shift;
@@ -58,20 +61,98 @@ void ts_exactsum_add(struct ts_exactsum *sum, double term)
 		limb[1] += (int64_t)(low >> 32);
 		limb[2] += (int64_t)high;
 	}
-	if (++sum->waiting >= MOST_WAITING)
+	if (++sum->carries >= MOST_CARRIES)
 		propagate_carries(sum);
+}
+
+/* ---- terms together
+ *
+ * Each term is split at the same power of two u: into a multiple of u, and a rest of at most u/2. Adding a number sigma whose
+ * unit in the last place is u rounds a term to that multiple. The multiples of all terms have so few digits that their sum in
+ * doubles is exact, in any order; the rests are split in the next round, until none is left. */
+enum {
+	DIGITS = 46,	  /* of a multiple of u: 2^46 times 128 terms is 2^53 */
+	FEW = 24,	  /* fewer terms are faster one by one, */
+	ROUNDS = 3,	  /* and so is what is left after these */
+	SMALLEST = -1022, /* exponent of sigma when u is 2^-1074, of which each double is a multiple */
+};
+#define LARGE 0x1p960 /* larger terms are added one by one, as sigma could overflow */
+_Static_assert(TS_EXACTSUM_WAITING <= 1 << (53 - DIGITS), "sums of a round are exact");
+
+/* The largest absolute value; infinite if one is LARGE, infinite or NaN. */
+TS_CLONES static double largest(const double term[TS_EXACTSUM_WAITING])
+{
+	double most = 0;
+	int64_t beyond = 0;
+
+#pragma omp simd reduction(max : most) reduction(+ : beyond)
+	for (size_t i = 0; i < TS_EXACTSUM_WAITING; i++) {
+		double size = fabs(term[i]);
+
+		most = size > most ? size : most;
+		beyond += size < LARGE ? 0 : 1; /* 1 for NaN */
+	}
+	return beyond ? INFINITY : most;
+}
+
+/* Sum of the multiples; leaves the rests, of which the largest is *most. */
+TS_CLONES static double split(double term[TS_EXACTSUM_WAITING], double sigma, double *most)
+{
+	double sum = 0, rest = 0;
+
+#pragma omp simd reduction(max : rest) reduction(+ : sum)
+	for (size_t i = 0; i < TS_EXACTSUM_WAITING; i++) {
+		double multiple = (term[i] + sigma) - sigma, left = term[i] - multiple, size = fabs(left);
+
+		term[i] = left;
+		sum += multiple;
+		rest = size > rest ? size : rest;
+	}
+	*most = rest;
+	return sum;
+}
+
+/* One round. *most: the largest term, then the largest rest. */
+static void add_multiples(struct ts_exactsum *sum, double *most)
+{
+	int exponent;
+
+	(void)frexp(*most, &exponent); /* *most < 2^exponent, u = 2^(exponent - DIGITS) */
+	exponent += 52 - DIGITS;
+	add_to_limbs(sum, split(sum->term, ldexp(1.5, exponent > SMALLEST ? exponent : SMALLEST), most));
+}
+
+void ts_exactsum_absorb(struct ts_exactsum *sum)
+{
+	double most = INFINITY;
+
+	if (FLT_EVAL_METHOD == 0 && sum->waiting >= FEW) {
+		memset(sum->term + sum->waiting, 0, (TS_EXACTSUM_WAITING - sum->waiting) * sizeof *sum->term);
+		most = largest(sum->term);
+	}
+	for (int round = 0; round < ROUNDS && most > 0 && isfinite(most); round++)
+		add_multiples(sum, &most);
+	for (size_t k = 0; most > 0 && k < sum->waiting; k++)
+		add_to_limbs(sum, sum->term[k]);
+	sum->waiting = 0;
+}
+
+static void normalise(struct ts_exactsum *sum)
+{
+	ts_exactsum_absorb(sum);
+	propagate_carries(sum);
 }
 
 void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other)
 {
 	struct ts_exactsum copy = *other;
 
-	propagate_carries(&copy);
-	propagate_carries(sum);
+	normalise(&copy);
+	normalise(sum);
 	for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
 		sum->limb[k] += copy.limb[k];
-	sum->special += other->special;
-	sum->waiting = 1;
+	sum->special += copy.special;
+	sum->carries = 1;
 }
 
 /* Changes the sign if the sum, which must be normalised, is negative; returns whether it was. */
@@ -91,7 +172,7 @@ void ts_exactsum_pack(struct ts_exactsum *sum, int64_t integer[TS_EXACTSUM_INTEG
 {
 	int64_t *kind = integer + TS_EXACTSUM_LIMBS, sign;
 
-	propagate_carries(sum);
+	normalise(sum);
 	sign = make_positive(sum) ? -1 : 1;
 	for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
 		integer[k] = sum->limb[k] *= sign;
@@ -146,9 +227,9 @@ double ts_exactsum_value(const struct ts_exactsum *sum)
 	int64_t mantissa = 0;
 	int top, lowest;
 
+	normalise(&s);
 	if (s.special != 0) /* true for NaN too */
 		return s.special;
-	propagate_carries(&s);
 	negative = make_positive(&s);
 	top = top_bit(&s);
 	if (top < 0)

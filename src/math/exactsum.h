@@ -1,6 +1,7 @@
 /* Exact sums of doubles: the result does not depend on the order of the terms, hence not on threads.
  * The sum is a fixed-point number over the whole range of doubles, stored as limbs of 32 bits in 64-bit
- * words, so that carries can be delayed (U. Kulisch; R. M. Neal, arXiv:1505.05571). */
+ * words, so that carries can be delayed (U. Kulisch; R. M. Neal, arXiv:1505.05571). Terms wait until there are enough of them
+ * to be added together in vectors (S. M. Rump, T. Ogita, S. Oishi, SIAM J. Sci. Comput. 31 (2008) 189). */
 #ifndef TS_MATH_EXACTSUM_H
 #define TS_MATH_EXACTSUM_H
 
@@ -8,20 +9,31 @@
 #include <stdint.h>
 
 /* 2098 bits from 2^-1074 to 2^1023, and 64 for the growth of the sum. */
-enum { TS_EXACTSUM_LIMBS = 68 };
+enum { TS_EXACTSUM_LIMBS = 68, TS_EXACTSUM_WAITING = 128 };
 
 struct ts_exactsum {
-	int64_t limb[TS_EXACTSUM_LIMBS]; /* sum of limb[k] 2^(32 k - 1074) */
-	uint32_t waiting;		 /* additions since the last carry */
-	double special;			 /* sum of the infinities and NaNs */
+	int64_t limb[TS_EXACTSUM_LIMBS];  /* sum of limb[k] 2^(32 k - 1074) */
+	uint32_t carries;		  /* additions since the last carry */
+	uint32_t waiting;		  /* terms that the limbs do not have yet */
+	double special;			  /* sum of the infinities and NaNs */
+	double term[TS_EXACTSUM_WAITING]; /* the terms that wait */
 };
 
 static inline struct ts_exactsum ts_exactsum_start(void)
 {
-	return (struct ts_exactsum){ { 0 }, 0, 0 };
+	return (struct ts_exactsum){ { 0 }, 0, 0, 0, { 0 } };
 }
 
-void ts_exactsum_add(struct ts_exactsum *sum, double term);
+/* Adds the terms that wait to the limbs: for ts_exactsum_add. */
+void ts_exactsum_absorb(struct ts_exactsum *sum);
+
+static inline void ts_exactsum_add(struct ts_exactsum *sum, double term)
+{
+	sum->term[sum->waiting++] = term;
+	if (sum->waiting == TS_EXACTSUM_WAITING)
+		ts_exactsum_absorb(sum);
+}
+
 /* Adds another sum. */
 void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other);
 /* Writes the sum as integers, or reads it: the sum of such integers of at most 2^31 sums, number by number, is that of their

@@ -58,8 +58,8 @@ void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, d
 	if (mode >= TS_REDUCTION_SUMABS && mode <= TS_REDUCTION_MAXABS)
 		value = fabs(value);
 	ts_exactsum_add(&tally->sum, value);
-	tally->min = fmin(tally->min, value);
-	tally->max = fmax(tally->max, value);
+	tally->min = value < tally->min ? value : tally->min; /* NaN does not count */
+	tally->max = value > tally->max ? value : tally->max;
 	tally->n++;
 }
 

@@ -56,7 +56,7 @@ struct msd_context {
 	double drift[3];
 };
 
-static void squared_displacement_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void squared_displacement_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const struct msd_context *t = context;
 	double d[3];

@@ -30,7 +30,7 @@ static enum ts_status store_new_references(struct ts_instance *self, struct tsim
 	return TS_OK;
 }
 
-static void velocity_product_terms(const struct tsim *sim, size_t i, void *context, double *term)
+static void velocity_product_terms(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const double *v0 = ts_reference_of(sim, context, i);
 

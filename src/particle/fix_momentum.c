@@ -73,7 +73,7 @@ static enum ts_status remove_angular(const struct ts_instance *self, struct tsim
 	return ts_rigid_subtract_motion(sim, self->group, false, &mean);
 }
 
-static void twice_kinetic_energy_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void twice_kinetic_energy_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	const double *v = ts_rigid_share_velocity(sim, i);
 

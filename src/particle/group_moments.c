@@ -8,34 +8,48 @@
 const int ts_tensor_row[6] = { 0, 1, 2, 0, 0, 1 }, ts_tensor_column[6] = { 0, 1, 2, 1, 2, 2 };
 const char *const ts_tensor_names[] = { "xx", "yy", "zz", "xy", "xz", "yz", NULL };
 
-void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, void *context,
+/* A term costs about as much as three rounds of a simple loop. */
+enum { TERM_COST = 3 };
+
+void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, const void *context,
 		  double *out)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_exactsum sum[TS_MOST_TERMS];
-	double t[TS_MOST_TERMS];
 
 	for (size_t k = 0; k < width; k++)
 		sum[k] = ts_exactsum_start();
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, group))
-			continue;
-		term(sim, i, context, t);
+#pragma omp parallel num_threads(ts_team(sim, TERM_COST *width * p->n))
+	{
+		struct ts_exactsum part[TS_MOST_TERMS];
+		double t[TS_MOST_TERMS];
+
 		for (size_t k = 0; k < width; k++)
-			ts_exactsum_add(&sum[k], t[k]);
+			part[k] = ts_exactsum_start();
+#pragma omp for schedule(static)
+		for (size_t i = 0; i < p->n; i++) {
+			if (!ts_in_group(p, i, group))
+				continue;
+			term(sim, i, context, t);
+			for (size_t k = 0; k < width; k++)
+				ts_exactsum_add(&part[k], t[k]);
+		}
+#pragma omp critical(ts_group_sum)
+		for (size_t k = 0; k < width; k++)
+			ts_exactsum_merge(&sum[k], &part[k]);
 	}
 	ts_rank_sums_merge(sim, sum, width);
 	for (size_t k = 0; k < width; k++)
 		out[k] = ts_exactsum_value(&sum[k]);
 }
 
-static void count_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void count_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	(void)sim, (void)i, (void)context;
 	term[0] = 1;
 }
 
-static void mass_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void mass_term(const struct tsim *sim, size_t i, const void *context, double *term)
 {
 	(void)context;
 	term[0] = sim->particles->mass[i];

@@ -46,10 +46,11 @@ static inline void ts_wrapped(const struct tsim *sim, size_t i, double x[3], int
 double ts_group_count(const struct tsim *sim, int group);
 double ts_group_mass(const struct tsim *sim, int group);
 
-/* Sums `width` <= TS_MOST_TERMS numbers over the group; the function writes those of particle i to term[]. */
+/* Sums `width` <= TS_MOST_TERMS numbers over the group; the function, called by several threads, writes those of particle i to
+ * term[]. */
 enum { TS_MOST_TERMS = 8 };
-typedef void ts_term_fn(const struct tsim *sim, size_t i, void *context, double *term);
-void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, void *context,
+typedef void ts_term_fn(const struct tsim *sim, size_t i, const void *context, double *term);
+void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, const void *context,
 		  double *out);
 
 /* Components of symmetric tensors in the order xx, yy, zz, xy, xz, yz. */

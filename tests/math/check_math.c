@@ -188,6 +188,52 @@ START_TEST(exactsum_order)
 }
 END_TEST
 
+/* Many terms are added together, few one by one: the same bits, whatever their sizes. */
+START_TEST(exactsum_together)
+{
+	static const struct {
+		int least, range; /* exponents of the terms */
+	} size[] = { { -20, 20 },   { -1, 1 },	 { -70, 90 }, { -1060, 70 },
+		     { -1074, 30 }, { 900, 60 }, { 940, 60 } };
+	struct ts_rng rng = ts_rng_start(32452843, 0);
+
+	for (size_t k = 0; k < sizeof size / sizeof *size; k++)
+		for (int n = 1; n < 700; n += 1 + n / 9) {
+			struct ts_exactsum together = ts_exactsum_start(), alone = ts_exactsum_start();
+
+			for (int i = 0; i < n; i++) {
+				int exponent = size[k].least + (int)(size[k].range * ts_rng_uniform(&rng));
+				double term = ldexp(ts_rng_normal(&rng), exponent);
+				struct ts_exactsum one = ts_exactsum_start();
+
+				term = i % 11 ? term : 0;
+				ts_exactsum_add(&one, term);
+				ts_exactsum_add(&together, term);
+				ts_exactsum_merge(&alone, &one);
+			}
+			ck_assert(ts_exactsum_value(&together) == ts_exactsum_value(&alone));
+			ts_exactsum_add(&together, -ts_exactsum_value(&alone));
+			ts_exactsum_add(&alone, -ts_exactsum_value(&alone));
+			ck_assert(ts_exactsum_value(&together) == ts_exactsum_value(&alone));
+		}
+}
+END_TEST
+
+/* A term that is not a number, or infinite, among many others. */
+START_TEST(exactsum_special_among_many)
+{
+	for (int k = 0; k < 3; k++) {
+		struct ts_exactsum s = ts_exactsum_start();
+
+		for (int i = 0; i < 300; i++)
+			ts_exactsum_add(&s, i == 77		? (k ? INFINITY : NAN)
+					    : i == 78 && k == 2 ? -INFINITY
+								: 1);
+		ck_assert(k == 1 ? ts_exactsum_value(&s) == INFINITY : isnan(ts_exactsum_value(&s)));
+	}
+}
+END_TEST
+
 /* Integers too large for doubles, against 64-bit arithmetic. */
 START_TEST(exactsum_integers)
 {
@@ -347,6 +393,8 @@ int main(void)
 	tcase_add_test(tests, exactsum_range);
 	tcase_add_test(tests, exactsum_rounding);
 	tcase_add_test(tests, exactsum_order);
+	tcase_add_test(tests, exactsum_together);
+	tcase_add_test(tests, exactsum_special_among_many);
 	tcase_add_test(tests, exactsum_integers);
 	tcase_add_test(tests, vectors);
 	tcase_add_test(tests, keys_sorted);
