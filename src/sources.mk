@@ -1164,6 +1164,8 @@ library_sources = \
 	src/neigh/neigh_skin.c \
 	src/neigh/order.c \
 	src/neigh/order.h \
+	src/neigh/overlaps.c \
+	src/neigh/overlaps.h \
 	src/neigh/runaways.c \
 	src/neigh/runaways.h \
 	src/neigh/touching_sums.c \

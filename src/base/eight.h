@@ -7,6 +7,8 @@
 #include "base/four.h"
 
 typedef double ts_eight __attribute__((vector_size(64)));
+typedef double ts_eight_anywhere __attribute__((vector_size(64), aligned(8), may_alias));
+typedef long long ts_eight_marks __attribute__((vector_size(64)));
 typedef double ts_two_anywhere __attribute__((vector_size(16), aligned(8), may_alias));
 
 #if defined(__clang__) || __GNUC__ >= 12
@@ -19,6 +21,9 @@ typedef double ts_two_anywhere __attribute__((vector_size(16), aligned(8), may_a
 #define TS_TWO_JOIN(a, b) ((ts_four){ (a)[0], (a)[1], (b)[0], (b)[1] })
 #define TS_FOUR_JOIN(a, b) ((ts_eight){ (a)[0], (a)[1], (a)[2], (a)[3], (b)[0], (b)[1], (b)[2], (b)[3] })
 #endif
+
+/* Loads eight doubles from any address. */
+#define TS_EIGHT_LOAD(from) (*(const ts_eight_anywhere *)(from))
 
 /* The components of four vectors x[row[0]] .. x[row[3]]. Numbers are loaded in twos and joined, which takes fewer
  * shuffles than a transposition of vectors of four. */

@@ -1,7 +1,5 @@
 /* Compute contact/atom: number of particles that touch or overlap each particle. */
-#include "box/domain.h"
-#include "geom/pairs.h"
-#include "neigh/neigh.h"
+#include "neigh/overlaps.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -11,9 +9,7 @@ struct contact {
 };
 
 struct task {
-	const struct tsim *sim;
 	const struct ts_particles *p;
-	ts_excluded_fn *excluded; /* NULL: no pair is */
 	double *count;
 	int group, with;
 };
@@ -21,35 +17,22 @@ struct task {
 static void count_overlap(void *context, size_t i, size_t j, const double d[3])
 {
 	const struct task *t = context;
-	double reach = t->p->radius[i] + t->p->radius[j];
 
-	if (ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->with) &&
-	    !(t->excluded && t->excluded(t->sim, i, j, d)))
-		t->count[i] += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= reach * reach;
+	(void)d;
+	t->count[i] += ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->with);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct contact *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	struct task task = { .sim = sim,
-			     .p = p,
-			     .excluded = ts_neigh_excluded(sim),
-			     .group = self->group,
-			     .with = s->with < 0 ? 0 : s->with };
-	double most = 0;
+	struct task task = { .p = p, .group = self->group, .with = s->with < 0 ? 0 : s->with };
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	task.count = out->data;
-	for (size_t i = 0; i < p->n; i++) {
+	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
-		most = p->radius[i] > most ? p->radius[i] : most;
-	}
-	if (!(most > 0))
-		return TS_OK;
-	/* pairs that just touch are in reach */
-	return ts_pairs_visit(&sim->domain->box, sim->dimension, (const double(*)[3])p->x, p->n,
-			      2 * most * (1 + 1e-9), count_overlap, &task);
+	return ts_overlaps_visit(sim, count_overlap, &task);
 }
 
 static const struct ts_value values[] = {
