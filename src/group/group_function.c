@@ -153,18 +153,19 @@ static void warn_empty(struct selection *c, const struct ts_word *name, const ch
 		name->text, c->region ? " in that region" : "", value);
 }
 
+static void find_mass(struct selection *c, const struct ts_word *name)
+{
+	c->mass = sum_terms(c, mass_term, 0, 0);
+	if (!(c->mass > 0))
+		warn_empty(c, name, "0");
+}
+
 /* The centre of no particles is 0. */
 static void find_centre(struct selection *c, const struct ts_word *name)
 {
-	c->mass = sum_terms(c, mass_term, 0, 0);
+	find_mass(c, name);
 	for (int k = 0; k < 3; k++)
-		c->centre[k] = 0;
-	if (!(c->mass > 0)) {
-		warn_empty(c, name, "0");
-		return;
-	}
-	for (int k = 0; k < 3; k++)
-		c->centre[k] = sum_terms(c, mass_position_term, k, 0) / c->mass;
+		c->centre[k] = c->mass > 0 ? sum_terms(c, mass_position_term, k, 0) / c->mass : 0;
 }
 
 /* *out: index of the word, such as "x" or "yz", in a list of names. */
@@ -227,7 +228,7 @@ static enum ts_status eval_per_mass(struct tsim *sim, struct ts_words args, term
 
 	TS_TRY(eval_component(sim, args, term, false, out));
 	TS_TRY(read_group(sim, args, 3, &c));
-	find_centre(&c, &args.word[0]);
+	find_mass(&c, &args.word[0]);
 	*out = c.mass > 0 ? *out / c.mass : 0;
 	return TS_OK;
 }

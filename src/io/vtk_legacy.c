@@ -183,9 +183,14 @@ enum ts_status ts_vtk_legacy_poly(struct tsim *sim, struct ts_str *out, const st
 /* Adds n lines of `width` numbers. */
 static void add_lines(struct ts_str *out, const struct type *type, const double *data, size_t n, size_t width)
 {
+	char number[TS_DECIMAL_SIZE];
+
 	for (size_t k = 0; k < n * width; k++) {
-		ts_str_addf(out, type == &singles ? "%f" : "%.11g", data[k]);
-		ts_str_add(out, (k + 1) % width ? " " : "\n");
+		if (type == &singles)
+			ts_str_addf(out, "%f", data[k]);
+		else
+			ts_str_add_n(out, number, ts_decimal_g(data[k], 11, number));
+		ts_str_add_n(out, (k + 1) % width ? " " : "\n", 1);
 	}
 }
 

@@ -1,6 +1,7 @@
 /* Dump mesh/stl: meshes at their present position, as STL. */
 #include "core/sim.h"
 #include "dump/dump_mesh.h"
+#include "io/decimal.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -44,12 +45,25 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_mesh_init(self, sim, read_word);
 }
 
+/* A line: what it is, and three numbers as by %g. */
+static void add_line(struct ts_str *out, const char *what, const double v[3])
+{
+	char number[TS_DECIMAL_SIZE];
+
+	ts_str_add(out, what);
+	for (int k = 0; k < 3; k++) {
+		ts_str_add_n(out, " ", 1);
+		ts_str_add_n(out, number, ts_decimal_g(v[k], 6, number));
+	}
+	ts_str_add_n(out, "\n", 1);
+}
+
 static void add_facet(struct ts_str *out, const struct ts_mesh *m, size_t t)
 {
-	ts_str_addf(out, "  facet normal %g %g %g\n    outer loop\n", m->normal[t][0], m->normal[t][1],
-		    m->normal[t][2]);
+	add_line(out, "  facet normal", m->normal[t]);
+	ts_str_add(out, "    outer loop\n");
 	for (int k = 0; k < 3; k++)
-		ts_str_addf(out, "      vertex %g %g %g\n", m->x[t][k][0], m->x[t][k][1], m->x[t][k][2]);
+		add_line(out, "      vertex", m->x[t][k]);
 	ts_str_add(out, "    endloop\n  endfacet\n");
 }
 
