@@ -121,29 +121,28 @@ static enum ts_status pad_originals(struct ts_chunks *c, size_t kinds)
 static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
 {
 	const struct ts_particles *p = c->sim->particles;
-	int32_t(*order)[2] = ts_alloc(p->n, sizeof *order);
+	uint64_t *key = ts_alloc_unset(2 * p->n, sizeof *key);
 
-	if (!order)
+	if (!key)
 		return TS_NOMEM;
 	for (size_t k = 0; k < c->n + 3; k++)
 		c->first[k] = 0;
 	for (size_t i = 0; i < p->n; i++) {
-		order[i][0] = p->tag[i];
-		order[i][1] = (int32_t)i;
+		key[i] = (uint64_t)p->tag[i] << 32 | i;
 		c->id[i] = id[i] > (int64_t)c->n ? 0 : (int32_t)id[i];
 		c->first[c->id[i] + 2] += c->id[i] > 0;
 	}
-	ts_sort(order, p->n, sizeof *order, ts_compare_int32);
+	ts_sort_keys(key, key + p->n, p->n);
 	for (size_t k = 2; k < c->n + 3; k++)
 		c->first[k] += c->first[k - 1];
 	/* first[k + 1] is the start of chunk k, and moves to its end as members are entered */
 	for (size_t at = 0; at < p->n; at++) {
-		size_t i = (size_t)order[at][1];
+		size_t i = (size_t)(key[at] & UINT32_MAX);
 
 		if (c->id[i] > 0)
 			c->member[c->first[c->id[i] + 1]++] = (int32_t)i;
 	}
-	ts_free(order);
+	ts_free(key);
 	return TS_OK;
 }
 
@@ -224,8 +223,7 @@ enum ts_status ts_chunk_sum(const struct ts_chunks *c, int group, size_t width, 
 			if (!ts_in_group(p, i, group))
 				continue;
 			term(c->sim, i, chunk, context, t);
-			for (size_t k = 0; k < width; k++)
-				ts_exactsum_add(&sum[k], t[k]);
+			ts_exactsum_add_each(sum, width, t);
 		}
 		for (size_t k = 0; k < width; k++)
 			out->data[(chunk - 1) * width + k] = ts_exactsum_value(&sum[k]);

@@ -116,21 +116,20 @@ const struct ts_operator *ts_operator_find(const char *text)
 	return NULL;
 }
 
+/* For each element of a list: what only an error needs is found there. */
 static enum ts_status apply_checked(struct ts_expr *e, const struct ts_operator *op, size_t at, double a,
 				    double b, double *out)
 {
-	size_t end = at + strlen(op->text);
-
 	if (ts_unknown(e->sim, a) || ts_unknown(e->sim, b)) {
 		*out = op->decides && op->decides(a, b) ? op->apply(a, b) : NAN;
 		return TS_OK;
 	}
 	if (op->divides && !is_true(b))
-		return ts_expr_fail(e, TS_RANGE, at, end, "division of %.6g by zero", a);
+		return ts_expr_fail(e, TS_RANGE, at, at + strlen(op->text), "division of %.6g by zero", a);
 	*out = op->apply(a, b);
 	if (isfinite(*out))
 		return TS_OK;
-	return ts_expr_fail(e, TS_RANGE, at, end, "%.6g %s %.6g is %s", a, op->text, b,
+	return ts_expr_fail(e, TS_RANGE, at, at + strlen(op->text), "%.6g %s %.6g is %s", a, op->text, b,
 			    isnan(*out) ? "not a real number" : "too large for a number");
 }
 

@@ -34,6 +34,19 @@ static inline void ts_exactsum_add(struct ts_exactsum *sum, double term)
 		ts_exactsum_absorb(sum);
 }
 
+/* Adds a term to each of n sums, which have had the same number of terms before. */
+static inline void ts_exactsum_add_each(struct ts_exactsum sum[], size_t n, const double term[])
+{
+	const uint32_t at = sum[0].waiting;
+
+	for (size_t k = 0; k < n; k++) {
+		sum[k].term[at] = term[k];
+		sum[k].waiting = at + 1;
+	}
+	for (size_t k = 0; at + 1 == TS_EXACTSUM_WAITING && k < n; k++)
+		ts_exactsum_absorb(&sum[k]);
+}
+
 /* Adds another sum. */
 void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other);
 /* Writes the sum as integers, or reads it: the sum of such integers of at most 2^31 sums, number by number, is that of their

@@ -31,8 +31,7 @@ void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *t
 			if (!ts_in_group(p, i, group))
 				continue;
 			term(sim, i, context, t);
-			for (size_t k = 0; k < width; k++)
-				ts_exactsum_add(&part[k], t[k]);
+			ts_exactsum_add_each(part, width, t);
 		}
 #pragma omp critical(ts_group_sum)
 		for (size_t k = 0; k < width; k++)
