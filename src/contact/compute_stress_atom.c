@@ -5,6 +5,9 @@
 
 #include "base/banned.h"
 
+/* The contacts of a particle cost as much as so many rounds of a simple loop. */
+enum { CONTACTS_COST = 10 };
+
 struct stress {
 	struct ts_words words;
 	struct ts_virial_parts parts;
@@ -39,6 +42,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
 	TS_TRY(ts_table_resize(out, p->n, 6));
+#pragma omp parallel for num_threads(ts_team(sim, CONTACTS_COST * p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		double w[6] = { 0 }, m = s->parts.kinetic ? p->mass[i] : 0;
 		bool member = ts_in_group(p, i, self->group);

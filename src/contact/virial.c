@@ -13,11 +13,17 @@
 
 #include "base/banned.h"
 
-/* The product does not depend on which particle is the first: both factors change their sign. */
-static void add_virial_of_pair(double w[6], const double d[3], const double f[3])
+/* d f / 2. The product does not depend on which particle is the first: both factors change their sign. */
+static inline void add_virial_of_pair(double w[restrict 6], const double d[3], const double f[restrict 3])
 {
-	for (int k = 0; k < 6; k++)
-		w[k] += 0.5 * d[ts_tensor_row[k]] * f[ts_tensor_column[k]];
+	const double x = 0.5 * d[0], y = 0.5 * d[1], z = 0.5 * d[2];
+
+	w[0] += x * f[0];
+	w[1] += y * f[1];
+	w[2] += z * f[2];
+	w[3] += x * f[1];
+	w[4] += x * f[2];
+	w[5] += y * f[2];
 }
 
 static void add_virial_of_contacts(const struct tsim *sim, size_t i, double w[6])
@@ -30,9 +36,10 @@ static void add_virial_of_contacts(const struct tsim *sim, size_t i, double w[6]
 		size_t r = g->entry[k] >> 1;
 		double d[3];
 
+		if (!ts_contact_touches(list, r))
+			continue;
 		ts_sub(p->x[list->i[r]], p->x[list->j[r]], d);
-		if (ts_contact_touches(list, r))
-			add_virial_of_pair(w, d, ts_contact_force(list, ts_contact_kept(list, r)));
+		add_virial_of_pair(w, d, ts_contact_force(list, ts_contact_kept(list, r)));
 	}
 }
 

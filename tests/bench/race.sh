@@ -10,6 +10,8 @@ for scene in "$top_srcdir"/bench/scenes/*/scene; do
 done
 "$top_srcdir/bench/laws" tiny >out 2>&1 && [ "$(grep -c '^| LIGGGHTS: \|^| LAMMPS: ' out)" -gt 25 ]
 report 'bench/laws' $? out
+"$top_srcdir/bench/features" tiny >out 2>&1 && [ "$(grep -c '^| .* | [0-9]' out)" -gt 35 ]
+report 'bench/features' $? out
 "$top_srcdir/bench/race" no-such-scene >out 2>&1
 [ $? = 2 ] && shows "no scene 'no-such-scene'" out
 report 'a scene that is none' $? out
