@@ -59,9 +59,9 @@ struct state {
 	struct ts_mesh_tree tree;
 	uint64_t moves; /* surface->moves when the tree was built */
 	struct ts_mesh_list list;
-	struct ts_parcel passages;	  /* struct passage, in this step */
-	size_t column;			  /* particle column with the marks */
-	size_t summed, component;	  /* particle column and component of sum_property */
+	struct ts_parcel passages; /* struct passage, in this step */
+	size_t column;		   /* particle column with the marks */
+	size_t summed, component;  /* particle column and component of sum_property */
 	struct ts_textfile out;
 	/* saved */
 	double mass, number, deleted_mass, deleted_number, sum;
@@ -460,46 +460,25 @@ static enum ts_status check_image(struct state *s, struct tsim *sim, size_t i, c
 	return TS_OK;
 }
 
-/* Whether a place is farther from the mesh than `reach` along an axis that is not periodic. */
-static bool is_far(const struct state *s, const struct ts_box *box, const double x[3], double reach)
-{
-	const double *lo = s->tree.lo[1], *hi = s->tree.hi[1];
-	bool far = false;
-
-	for (int d = 0; d < 3; d++)
-		far |= !ts_box_periodic(box, d) && (x[d] < lo[d] - reach || x[d] > hi[d] + reach);
-	return far;
-}
-
 /* A particle is near a triangle, or a periodic image of one, if the distance of its centre is at most its radius plus half
  * the skin of the neighbour list. */
-static enum ts_status check_near(struct state *s, struct tsim *sim, size_t i, double reach)
+static enum ts_status check_particle(struct state *s, struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
-	double x[3];
-	struct ts_box_images images =
-		ts_box_images(box, s->tree.lo[1], s->tree.hi[1], p->x[i], p->x[i], reach);
+	const double *lo = s->tree.lo[1], *hi = s->tree.hi[1];
+	double reach = p->radius[i] + 0.5 * sim->neigh->built_skin, far = 1.001 * reach, x[3];
+	struct ts_box_images images;
 
+	for (int d = 0; d < 3; d++) /* most particles are far from the whole mesh */
+		if (!ts_box_periodic(box, d) && (p->x[i][d] < lo[d] - far || p->x[i][d] > hi[d] + far))
+			return TS_OK;
 	if (*particle_mark(s, sim, i) > DONE - 0.5)
 		return TS_OK;
+	images = ts_box_images(box, lo, hi, p->x[i], p->x[i], reach);
 	while (ts_box_images_next(&images)) {
 		ts_box_images_place(box, images.shift, p->x[i], x);
 		TS_TRY(check_image(s, sim, i, x, reach));
-	}
-	return TS_OK;
-}
-
-static enum ts_status check_particles(const struct ts_instance *self, struct state *s, struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-
-	for (size_t i = 0; i < p->n; i++) {
-		double reach = p->radius[i] + 0.5 * sim->neigh->built_skin;
-
-		/* with a margin for the rounding of distances */
-		if (ts_in_group(p, i, self->group) && !is_far(s, &sim->domain->box, p->x[i], 1.001 * reach))
-			TS_TRY(check_near(s, sim, i, reach));
 	}
 	return TS_OK;
 }
@@ -563,12 +542,15 @@ static enum ts_status renew_tree(struct state *s, struct tsim *sim)
 static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
 
 	if (has_interval_ended(s, sim))
 		s->before = (struct mark){ s->mass, s->number, ts_sim_time(sim) - sim->clock.dt };
 	s->passages.n = 0;
 	TS_TRY(renew_tree(s, sim));
-	TS_TRY(check_particles(self, s, sim));
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			TS_TRY(check_particle(s, sim, i));
 	TS_TRY(share_passages(s, sim));
 	ts_sort(s->passages.data, s->passages.n / sizeof(struct passage), sizeof(struct passage),
 		by_triangle);
