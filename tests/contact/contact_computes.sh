@@ -353,4 +353,50 @@ print "is z \$(c_t[3]:%.17g) \${z}"
 print "is turned \$(abs(v_y)>0.1) 1"
 END
 agree 'torque of a contact after read_restart' "$(cat in.hit)"
+
+# compute contact/atom reads the contact list during a run, and searches after it: the same counts, across periodic faces that
+# are three diameters apart, too, and where frozen particles, of which the list has no pairs, touch.
+cat >in.listed <<END
+units si
+atom_style granular
+boundary p p f
+region box block 0 0.3 0 0.3 0 2 units box
+create_box 2 box
+region low block INF INF INF INF 0 0.35 units box
+lattice sc 0.1
+create_atoms 1 region low
+displace_atoms all move 0 0 0.05
+displace_atoms all random 0.003 0.003 0.002 4711
+set type 1 diameter 0.1 density 2500
+region left block INF 0.12 INF INF INF INF units box
+set region left type 2
+group left region left
+group none empty
+fix p1 all property/global youngsModulus peratomtype 5e6 5e6
+fix p2 all property/global poissonsRatio peratomtype 0.3 0.3
+fix p3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.5 0.5 0.5
+fix p4 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *
+fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0
+fix g all gravity 9.81 vector 0 0 -1
+timestep 1e-4
+fix integ all nve/sphere
+fix stays \${stays} freeze
+compute c all contact/atom
+compute d all contact/atom left
+compute x all reduce sum c_c c_d
+compute y all reduce max c_c c_d
+thermo_style custom step c_x[1] c_x[2] c_y[1] c_y[2]
+thermo_modify norm no
+fix now all ave/time 1 1 400 c_x[1] c_x[2] c_y[1] c_y[2]
+run 400
+print "is sum \$(c_x[1]) \$(f_now[1])"
+print "is sum_left \$(c_x[2]) \$(f_now[2])"
+print "is most \$(c_y[1]) \$(f_now[3])"
+print "is most_left \$(c_y[2]) \$(f_now[4])"
+print "is many \$(c_x[1]>100) 1"
+END
+agree 'contacts from the list and by search' "$(sed 's/${stays}/none/' in.listed)"
+agree 'contacts of frozen particles' "$(sed 's/${stays}/left/' in.listed)"
 finish
