@@ -75,6 +75,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	ts_arena_release(&arena);
 	TS_TRY(status);
 	TS_TRY(ts_projection_setup(flow, sim));
+	if (ts_projection_keep_faces(p) != TS_OK)
+		return ts_nomem(&sim->error);
 	p->given = true;
 	return ts_projection_project_initial(flow, sim);
 }

@@ -125,6 +125,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	p->moved |= is_run && sim->clock.last_step > sim->clock.step;
 	TS_TRY(apply_arguments(self, sim));
 	TS_TRY(ts_projection_setup(self, sim));
+	if (is_run)
+		TS_TRY(ts_projection_begin_on_grid(self, sim));
 	ts_projection_find_void_fraction(p, sim);
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
@@ -258,6 +260,23 @@ static enum ts_status archive_force_and_wait(struct ts_projection *p, struct ts_
 	return TS_OK;
 }
 
+/* The faces of the grid to which the fields belong, which older files do not have. */
+static enum ts_status archive_faces(struct ts_projection *p, struct ts_archive *archive)
+{
+	static const char *const names[] = { "face_x", "face_y", "face_z" };
+
+	for (int d = 0; d < 3; d++) {
+		const size_t n = (size_t)p->fluid.grid.n[d] + 1;
+
+		if (ts_archive_writing(archive) ? !p->field_face[d] : !ts_archive_has(archive, names[d]))
+			continue;
+		if (!p->field_face[d] && !(p->field_face[d] = ts_alloc(n, sizeof *p->field_face[d])))
+			return TS_NOMEM;
+		TS_TRY(ts_archive_fixed(archive, names[d], TS_SAVED_F64, p->field_face[d], n));
+	}
+	return TS_OK;
+}
+
 /* Saves or restores the fields, ghosts included; optional fields if they are allocated, or in the file. */
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
@@ -290,6 +309,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	for (size_t k = 0; k < sizeof scalars / sizeof *scalars && status == TS_OK; k++)
 		status = archive_field(archive, scalars[k].name, '\0', &fluid->grid, scalars[k].field,
 				       !writing || *scalars[k].field);
+	if (status == TS_OK)
+		status = archive_faces(p, archive);
 	if (status == TS_OK)
 		status = archive_force_and_wait(p, archive);
 	if (status == TS_OK)

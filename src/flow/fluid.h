@@ -55,6 +55,7 @@ struct ts_flow_face_velocity {
 struct ts_fluid {
 	struct ts_grid grid;
 	uint64_t grids;		      /* number of grids it has had; fields are kept from one to the next */
+	bool stretched;		      /* the grid of this run is not that of the fields with which it began */
 	enum ts_flow_face face[3][2]; /* [axis][enum ts_grid_side] */
 	struct ts_flow_face_velocity face_velocity[3][2];
 	/* Pressure on open faces in the last projection, without pressure_base (pressure units). */

@@ -58,6 +58,9 @@ struct ts_projection {
 	double force_before[3], force_now[3];
 	bool force_known;  /* force_before is that of the last step */
 	double *graded[3]; /* faces by flow_grid, from 0 to 1, n + 1 values; NULL: uniform. Owned */
+	/* Faces of the grid to which the fields belong: that of flow_set, of the last run or of the restart file. n + 1
+	 * values; NULL: there are no fields yet. Owned. */
+	double *field_face[3];
 
 	/* Work fields, allocated as the schemes need them. */
 	double *work[3];	 /* the predictor */
@@ -113,6 +116,10 @@ enum ts_status ts_projection_require(struct tsim *sim, const char *who, const st
 				     struct ts_instance **instance, struct ts_projection **out);
 /* Makes grid, fields, boundary values and operators for the present settings and box. */
 enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim);
+/* At the beginning of a run: warns if the grid is not that of the fields, which belong to it from now on. */
+enum ts_status ts_projection_begin_on_grid(struct ts_instance *self, struct tsim *sim);
+/* The fields are those of the present grid. TS_NOMEM or TS_OK. */
+enum ts_status ts_projection_keep_faces(struct ts_projection *projection);
 void ts_projection_release(struct ts_projection *projection);
 
 /* ---- projection_step.c */

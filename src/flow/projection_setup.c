@@ -149,23 +149,13 @@ static enum ts_status fail_out_of_memory(struct ts_instance *self, struct tsim *
 		       FIELDS * sizeof(double) * cells / 1e9);
 }
 
-static bool flows(const struct ts_fluid *fluid)
-{
-	bool any = false;
-
-	for (int d = 0; d < fluid->grid.dimensions && fluid->u[d]; d++)
-		for (size_t k = 0; k < fluid->grid.size; k++)
-			any |= fluid->u[d][k] != 0;
-	return any;
-}
-
 static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 	struct ts_arena arena = { 0 };
 	double lo[3], hi[3], *face[3];
 	enum ts_status status = TS_OK;
-	bool periodic[3], stretches;
+	bool periodic[3];
 
 	TS_TRY(grid_bounds(self, sim, lo, hi));
 	for (int d = 0; d < 3; d++)
@@ -186,18 +176,68 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 		else
 			face[d][n] = hi[d];
 	}
-	stretches = status == TS_OK && p->rhs &&
-		    !same_grid(&p->fluid.grid, (const double *const *)face, periodic) && flows(&p->fluid);
 	if (status == TS_OK)
 		status = remake_grid(p, (const double *const *)face, periodic, sim->world);
-	if (stretches)
-		ts_warn(&sim->log, &self->where,
-			"flow_style projection: the grid has changed (flow_grid, change_box or replicate) "
-			"after the fluid was set or has moved: each cell keeps its velocity, so that the "
-			"flow is stretched with the cells");
 	ts_arena_release(&arena);
 	return status == TS_NOMEM ? fail_out_of_memory(self, sim) : status;
 }
+
+/* ---- the grid to which the fields belong */
+
+static bool flows(const struct ts_fluid *fluid)
+{
+	bool any = false;
+
+	for (int d = 0; d < fluid->grid.dimensions && fluid->u[d]; d++)
+		for (size_t k = 0; k < fluid->grid.size; k++)
+			any |= fluid->u[d][k] != 0;
+	return any;
+}
+
+/* Whether the grid has other faces than the fields, by more than round-off of formulas for them. */
+static bool faces_differ(const struct ts_projection *p)
+{
+	static const double SMALL = 1e-9; /* of the length of the axis */
+	const struct ts_grid *grid = &p->fluid.grid;
+
+	for (int d = 0; d < grid->dimensions; d++) {
+		const double *face = grid->face[d];
+
+		for (int i = 0; p->field_face[d] && i <= grid->n[d]; i++)
+			if (fabs(face[i] - p->field_face[d][i]) > SMALL * (face[grid->n[d]] - face[0]))
+				return true;
+	}
+	return false;
+}
+
+enum ts_status ts_projection_keep_faces(struct ts_projection *p)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+
+	for (int d = 0; d < 3; d++) {
+		size_t n = (size_t)grid->n[d] + 1;
+
+		if (!p->field_face[d] && !(p->field_face[d] = ts_alloc(n, sizeof *p->field_face[d])))
+			return TS_NOMEM;
+		memcpy(p->field_face[d], grid->face[d], n * sizeof *p->field_face[d]);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_projection_begin_on_grid(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	p->fluid.stretched = faces_differ(p);
+	if (p->fluid.stretched && flows(&p->fluid))
+		ts_warn(&sim->log, &self->where,
+			"flow_style projection: the grid has changed (flow_grid, region, change_box or "
+			"replicate) since the fluid was set, has moved or was written to the restart file: "
+			"each cell keeps its velocity, so that the flow is stretched with the cells");
+	return ts_projection_keep_faces(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+/* ---- */
 
 enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 {
@@ -245,6 +285,7 @@ void ts_projection_release(struct ts_projection *p)
 		ts_grid_field_free(p->void_start[d]);
 		ts_grid_field_free(p->void_stage[d]);
 		ts_free(p->graded[d]);
+		ts_free(p->field_face[d]);
 		for (int side = 0; side < 2; side++) {
 			ts_fluid_face_velocity_release(&p->velocity_now[d][side]);
 			ts_fluid_face_velocity_release(&p->velocity_before[d][side]);

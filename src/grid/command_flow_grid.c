@@ -261,7 +261,9 @@ const struct ts_command_style ts_command_flow_grid = {
 			  "sets the number of cells, must come before. Default: uniform cells. Each axis is "
 			  "graded independently, so the grid stays Cartesian.\n\n"
 			  "The discretisation is of second order if cell widths change smoothly, by a few "
-			  "per cent from cell to cell.",
+			  "per cent from cell to cell.\n\n"
+			  "After a run, and in a run continued from a restart file, which needs the same "
+			  "lines, the cells keep their velocities if their faces change, with a warning.",
 		   .example = "flow_grid y tanh 1.7\nflow_grid x geometric 4.0 fine hi\n"
 			      "flow_grid x around -1 2 before 40 inside 90\n"
 			      "flow_grid z faces 0 0.1 0.25 0.5 1.0",

@@ -210,10 +210,11 @@ static enum ts_status begin_field(struct ts_instance *self, struct tsim *sim)
 
 	if (!s->known || (s->given && s->grids != s->fluid->grids))
 		return set_initial_field(self, sim);
-	if (s->grids && s->grids != s->fluid->grids)
+	if (!s->given && s->fluid->stretched)
 		ts_warn(&sim->log, &self->where,
-			"fix flow/scalar: the grid has changed (flow_grid, change_box or replicate) after a "
-			"run: each cell keeps its value, so that the field is stretched with the cells");
+			"fix flow/scalar: the grid has changed (flow_grid, region, change_box or replicate) "
+			"after a run or since the restart file was written: each cell keeps its value, so "
+			"that the field is stretched with the cells");
 	s->grids = s->fluid->grids;
 	return TS_OK;
 }
@@ -510,6 +511,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	TS_TRY(ts_archive_fixed(a, "value", TS_SAVED_F64, t->value, s->size));
 	TS_TRY(ts_archive_fixed(a, "source", TS_SAVED_F64, t->source, s->size));
 	TS_TRY(archive_conditions(s, a));
+	s->given &= ts_archive_writing(a);
 	return t->void_fraction ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->void_fraction, s->size)
 				: TS_OK;
 }

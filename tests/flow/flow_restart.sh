@@ -46,6 +46,39 @@ ab2 quick cg
 rk2 donor cg
 rk3 cubista direct
 END
+# The grid that the lines after read_restart make is that of the file, or it is said: a flow or a scalar in other cells is another.
+couette='flow_style projection cells 4 8 2 viscosity 0.1 density 1
+flow_grid y geometric 6
+flow_boundary yhi wall velocity 1 0 0
+fix T all flow/scalar conductivity 0.1 yhi value 1
+timestep 0.002
+thermo_style custom step flow_ke f_T[1]'
+prints "units si
+boundary f f p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+$couette
+run 50
+write_restart graded.restart
+print saved" saved
+while read -r what edit found; do
+	prints "read_restart graded.restart
+$(sed "$edit" <<<"$couette")
+run 0
+print \"$what\"" "$what"
+	report "$what grid: told $found times" $(($(grep -c 'the grid has changed' out) != found)) out
+done <<'END'
+same p 0
+other s/6$/5/ 2
+forgotten /flow_grid/d 2
+END
+# the scalar is that of the file, wherever flow_grid stands
+prints "read_restart graded.restart
+$(sed '2{h;d};4G' <<<"$couette")
+run 0
+print \"heat \$(f_T[1] > 0.01)\"" 'heat 1'
+grep -q 'the grid has changed' out
+report 'the grid is that of the file' $((!$?)) out
 # An inlet by pressure and an outlet beside periodic faces, across which the fluid turns at these steps.
 pad=$top_srcdir/tests/decks/in.rough_pad
 "$TSIM" -in "$pad" -log none >whole.out 2>&1
