@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "box/domain.h"
+#include "flow/projection.h"
 #include "math/vec3.h"
 #include "region/region.h"
 
@@ -85,6 +86,16 @@ static bool shape_varies(const struct tsim *sim, const struct ts_instance *regio
 	return false;
 }
 
+/* Whether this is the beginning of a run while the fluid waits (`every`): the velocity is that since its last step. */
+static bool fluid_waits(const struct tsim *sim, const struct ts_solid_pose *before, double time)
+{
+	static const double ROUND_OFF = 1e-9;
+	const struct ts_projection *p = ts_sim_only(sim, TS_KIND_FLOW)->state;
+
+	return before->seen && p->waited > 0 && p->waited < p->every &&
+	       fabs(time - before->time - p->elapsed) <= ROUND_OFF * p->elapsed;
+}
+
 static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 {
 	struct region *s = (struct region *)solid;
@@ -108,7 +119,8 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 		memcpy(m->velocity, s->prescribed->motion.velocity, sizeof m->velocity);
 	if (s->prescribed->omega)
 		memcpy(m->omega, s->prescribed->motion.omega, sizeof m->omega);
-	*s->before = now;
+	if (!fluid_waits(sim, s->before, now.time))
+		*s->before = now;
 	return TS_OK;
 }
 

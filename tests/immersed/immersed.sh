@@ -298,6 +298,17 @@ END2
 { cat in.head in.materials in.free; echo 'run 12'; echo 'write_restart restart'; echo 'run 8'; } >in.whole
 { echo 'newton off'; echo 'communicate single vel yes'; echo 'read_restart restart'; cat in.materials in.free; echo 'run 8'; } >in.again
 resumes 'bodies that are free' rows 3
+# while the fluid waits: the velocity of a region goes over all steps since the last one of the fluid
+sed -i 's/time rk2$/& every 3/' in.free
+{ cat in.head in.materials in.free; echo 'run 20'; } >in.through
+for cut in 10 11; do
+	{ cat in.head in.materials in.free; echo "run $cut"; echo 'write_restart restart'; echo "run $((20 - cut))"; } >in.whole
+	{ echo 'newton off'; echo 'communicate single vel yes'; echo 'read_restart restart'; cat in.materials in.free; echo "run $((20 - cut))"; } >in.again
+	resumes "the fluid waits at step $cut" rows 3
+	"$TSIM" -in in.through -log none >through 2>&1
+	rows through | tail -n 3 >rows.through
+	same "the fluid waits at step $cut: in one run" rows.whole rows.through
+done
 
 # ---- faults
 scene='units si
