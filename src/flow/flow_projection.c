@@ -496,9 +496,8 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 	const struct ts_grid *grid = &p->fluid.grid;
 	double mean, before = report->bytes;
 
-	/* Velocities that a run has left balance; a rank that has some planes of them only knows those that are given, of which
-	 * some may be of boundaries of that run. */
-	if (ts_projection_not_started(p) || !ts_fluid_divided(&p->fluid))
+	/* Velocities that a run has left are those of its boundaries: of these, the next step checks the balance. */
+	if (ts_projection_not_started(p))
 		TS_TRY(ts_projection_net_outflow(self, sim, &mean));
 	TS_TRY(ts_projection_check_pressure(self, sim));
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.void_fraction)

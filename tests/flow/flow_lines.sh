@@ -82,6 +82,31 @@ run 1
 print \"gained \$(c_p[1]-v_before:%.9f)\"" 'gained 0.000150000'
 done
 
+# ---- the last outlet is closed after a run: its flow was that of the run; an inlet that then has no outlet is refused
+valve='units si
+atom_style granular
+boundary f p p
+region box block 0 2 0 1 0 1 units box
+create_box 1 box
+timestep 0.01
+flow_style projection cells 8 4 4 viscosity 0.1 density 1
+flow_boundary xlo outlet
+create_atoms 1 single 0.17 0.5 0.5 units box
+set group all diameter 0.3 density 2
+velocity all set -1 0 0
+fix e all void_fraction
+fix n all nve/sphere'
+prints "$valve
+run 2
+flow_boundary xlo wall
+run 3
+print \"ready\"" ready
+rejects "$valve
+flow_boundary xhi inlet velocity -0.1 0 0
+run 2
+flow_boundary xlo wall
+run 3" 'it flows in at 0.1 per time'
+
 # ---- a flow in a plane: nothing along z
 plane='units si
 boundary p f p
