@@ -117,10 +117,10 @@ const struct ts_style ts_compute_flow_flux = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Volume flow rate of the fluid through a plane",
 	.doc = "The sum of e u A over the faces of cells in the plane, with u the velocity normal to the "
-	       "plane, e the void fraction (1 without fix void_fraction) and A the area of a face. Between "
-	       "two planes of faces the sum is interpolated linearly. c_ID is the volume flow rate, positive "
-	       "along the axis on both faces of the grid; c_ID[2] is the area, c_ID[3] the flow rate divided "
-	       "by the area.",
+	       "plane, e the void fraction (1 without fix void_fraction) and A the area of a face, in two "
+	       "dimensions of the depth of the box. Between two planes of faces the sum is interpolated "
+	       "linearly. c_ID is the volume flow rate, positive along the axis on both faces of the grid; "
+	       "c_ID[2] is the area, c_ID[3] the flow rate divided by the area.",
 	.example = "compute in all flow/flux xlo\ncompute half all flow/flux z 0.5 region inner",
 	.args = args,
 	.state_size = sizeof(struct state),

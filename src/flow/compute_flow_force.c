@@ -69,12 +69,12 @@ const struct ts_style ts_compute_flow_force = {
 	.ranks = TS_RANKS_WHOLE | TS_RANKS_PARTICLES,
 	.summary = "Force of the fluid on a face of its grid",
 	.doc = "The force of the fluid on a wall, inlet or outlet: c_ID[1] to [3] is the total force, [4] to "
-	       "[6] the pressure force, [7] to [9] the shear force with stress mu du/dn, [10] the area. The "
-	       "pressure on the face is extrapolated from the two adjacent cells. The shear stress is the "
-	       "momentum flux in the equations of the fluid, so in a steady flow the momentum balance along "
-	       "the face holds to round-off. Without an open face the pressure is known up to a constant: "
-	       "its mean is 0, or `pressure_level` of flow_style. For bodies in the fluid see fix "
-	       "immersed/boundary.",
+	       "[6] the pressure force, [7] to [9] the shear force with stress mu du/dn, [10] the area, in "
+	       "two dimensions of the depth of the box. The pressure on the face is extrapolated from the "
+	       "two adjacent cells. The shear stress is the momentum flux in the equations of the fluid, so "
+	       "in a steady flow the momentum balance along the face holds to round-off. Without an open "
+	       "face the pressure is known up to a constant: its mean is 0, or `pressure_level` of "
+	       "flow_style. For bodies in the fluid see fix immersed/boundary.",
 	.example = "compute lid all flow/force yhi\nthermo_style custom step c_lid[7]",
 	.args = args,
 	.state_size = sizeof(struct state),

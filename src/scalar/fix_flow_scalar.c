@@ -748,11 +748,12 @@ const struct ts_style ts_fix_flow_scalar = {
 	       "exceeds rho c e V/sum(pi d k Nu), the sum over the particles in a cell of volume V, divided "
 	       "by N with `every N` of the flow style. T oscillates beyond it, and diverges beyond twice of "
 	       "it.\n\n"
-	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, f_ID[2] the heat "
-	       "per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T. In the "
-	       "first step of the fluid de/dt is not known and taken as 0: T is kept while e becomes that of "
-	       "the particles after the step, and f_ID[1] changes accordingly; from then on heat is "
-	       "conserved. f_ID[i][j] is for cell i the centre (j = 1, 2, 3) and T (j = 4).",
+	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, in two dimensions "
+	       "with the depth of the box, f_ID[2] the heat per time into all particles, per unit depth, "
+	       "f_ID[3] and f_ID[4] are the minimum and maximum of T. In the first step of the fluid de/dt "
+	       "is not known and taken as 0: T is kept while e becomes that of the particles after the step, "
+	       "and f_ID[1] changes accordingly; from then on heat is conserved. f_ID[i][j] is for cell i "
+	       "the centre (j = 1, 2, 3) and T (j = 4).",
 	.example =
 		"flow_style projection cells 32 32 1 viscosity 1.8e-5 density 1.2\n"
 		"fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 xlo value 320 xhi flux 5",

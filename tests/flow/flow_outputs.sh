@@ -277,4 +277,30 @@ done <<'END'
 END
 [ "$(wc -l <forces)" = 6 ] && [ "$(sort -u forces | wc -l)" = 1 ]
 report 'a wall beside an inlet, along each axis' $? forces
+# In two dimensions sums over the grid are those of the depth of the box, masses and heat of particles per unit depth.
+agree 'depth of the box' 'units si
+dimension 2
+atom_style sphere
+boundary p f p
+region box block 0 2 0 1 -0.2 0.2 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0 units box
+set group all diameter 0.1 density 2
+fix k all property/global thermalConductivity peratomtype 1
+fix c all property/global thermalCapacity peratomtype 3
+flow_style projection cells 8 4 1 viscosity 0.1 density 3
+flow_boundary all slip
+flow_set velocity 0.5 0 0
+fix h all heat/gran initial_temperature 9
+fix T all flow/scalar conductivity 0.7 capacity 2 initial 1 exchange ranz_marshall
+compute q all flow/flux x 1
+compute f all flow/force yhi
+fix n all nve/sphere
+timestep 0.001
+run 10
+print "is ke $(flow_ke) $(0.5*3*0.5^2*0.8)"
+print "is px $(flow_px) $(3*0.5*0.8)"
+print "is flux $(c_q) 0.2"
+print "is area $(c_f[10]) 0.8"
+print "is heat $(f_T[1]-3*2*0.8) $(0.4*mass[1]*3*(9-f_h[1]))"'
 finish
