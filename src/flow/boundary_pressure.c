@@ -298,6 +298,8 @@ void ts_projection_restore_pressure(struct ts_projection *p)
 		add_constant(p, fluid->p, p->next_pressure_base);
 	}
 	fluid->pressure_base = p->next_pressure_base;
+	if (!fluid->incremental && fluid->pressure_base != 0) /* the bits of ghosts with which a run begins */
+		ts_fluid_fill_pressure(fluid, fluid->p);
 }
 
 /* ---- restart */

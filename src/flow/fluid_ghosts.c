@@ -210,6 +210,7 @@ struct source {
 	ptrdiff_t face;	      /* on it, relative to the cells of the lowest layer */
 	int c;		      /* component that is filled */
 	double out;	      /* sign of velocities out of the grid */
+	const struct ts_fluid *fluid;
 };
 
 static void fill_face(double *field, enum rule rule, const struct plane *plane, ptrdiff_t first,
@@ -315,18 +316,47 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 
 /* ---- components along the face */
 
+/* The velocity across the open face where it meets the face `edge` of the axis of component c: that given on the latter, or
+ * that of the cell beside it. Ghosts would be those of the fill before. ia, ib: the point of the component. */
+static double velocity_at_edge(const struct source *source, const struct plane *plane, int ia, int ib,
+			       enum ts_grid_side edge)
+{
+	const struct ts_grid *grid = source->grid;
+	const int c = source->c, d = plane->d, a = c == 0, b = c == 2 ? 1 : 2;
+	const struct ts_flow_face_velocity *given = &source->fluid->face_velocity[c][edge];
+	const enum ts_flow_face kind = source->fluid->face[c][edge];
+	int at[3];
+
+	at[plane->a] = ia;
+	at[plane->b] = ib;
+	at[d] = source->out < 0 ? 0 : grid->n[d];
+	at[c] = edge == TS_LOW ? 0 : grid->n[c] - 1;
+	if (ts_flow_face_open(kind) || kind == TS_FLOW_SLIP)
+		return source->across[plane_offset(grid, plane, at[plane->a], at[plane->b]) + source->face];
+	return given->plane[d] ? given->plane[d][ts_flow_plane_at(grid, c, at[a], at[b])]
+			       : given->constant[d];
+}
+
 /* 1 where the fluid leaves beside a point of the component, else 0. */
 static void find_leaving_beside(struct source *source, const struct plane *plane, int ia, int ib, int n)
 {
 	const struct ts_grid *grid = source->grid;
 	const ptrdiff_t along = grid->stride[plane->a], below = grid->stride[source->c];
 	const double *u = source->across + plane_offset(grid, plane, ia, ib) + source->face;
-	const int lowest = -grid->ghosts[source->c];
+	const bool varies = source->c == plane->a;
+	const int lowest = -grid->ghosts[source->c], end = grid->n[source->c];
 
 	for (int m = 0; m < n; m++) {
-		const bool first = (source->c == plane->a ? ia + m : ib) == lowest; /* there is none below */
+		const int i = varies ? ia + m : ib;
 
-		source->constant[m] = !first && (u[m * along] + u[m * along - below]) * source->out > 0;
+		if (grid->periodic[source->c] || (i > 0 && i < end)) /* there is none below the lowest */
+			source->constant[m] =
+				i > lowest && (u[m * along] + u[m * along - below]) * source->out > 0;
+		else
+			source->constant[m] =
+				velocity_at_edge(source, plane, ia + m, ib, i > 0 ? TS_HIGH : TS_LOW) *
+					source->out >
+				0;
 	}
 }
 
@@ -338,7 +368,9 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, 
 	const enum ts_flow_face kind = fluid->face[d][side];
 	const bool open = ts_flow_face_open(kind);
 	const enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : open ? RULE_OUT : RULE_MIRROR;
-	struct source source = { .grid = &fluid->grid, .across = u[d], .face = at.face, .c = c };
+	struct source source = {
+		.grid = &fluid->grid, .across = u[d], .face = at.face, .c = c, .fluid = fluid
+	};
 
 	source.out = side == TS_LOW ? -1 : 1;
 	if (rule == RULE_OUT)

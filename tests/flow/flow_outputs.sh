@@ -277,6 +277,23 @@ done <<'END'
 END
 [ "$(wc -l <forces)" = 6 ] && [ "$(sort -u forces | wc -l)" = 1 ]
 report 'a wall beside an inlet, along each axis' $? forces
+# Out of an open face beside an inlet, in the order of the axes and against it.
+beside() {
+	echo "clear
+units si
+boundary f f f
+region box block $1 0 0.25 units box
+create_box 1 box
+flow_style projection cells $2 4 viscosity 0.02 density 2.385
+flow_boundary $3 inlet pressure 5
+flow_boundary $4 inlet velocity $5 0.05
+timestep 5e-3
+run 7
+variable ke_$3 equal \$(flow_ke)"
+}
+agree 'an inlet beside an open face' "$(beside '0 1 0 0.5' '6 5' xlo yhi '0.03 -0.1')
+$(beside '0 0.5 0 1' '5 6' ylo xhi '-0.1 0.03')
+print \"is ke \$(v_ke_xlo) \$(v_ke_ylo)\""
 # In two dimensions sums over the grid are those of the depth of the box, masses and heat of particles per unit depth.
 agree 'depth of the box' 'units si
 dimension 2

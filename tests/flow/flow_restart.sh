@@ -91,4 +91,30 @@ for cut in 10 11 12; do
 	rows again.out | tail -n 3 >again.rows
 	same "the pad cut at step $cut" whole.rows again.rows
 done
+# An open face beside an inlet, where the sign of the velocity at their edge decides; open faces with a pressure of their own,
+# which a body covers: in one run, in two, and from a file.
+rm -rf whole again
+while read -r what cut faces; do
+	cat >in.corner <<END
+$(sed 's/ p f f/ f f f/' scene)
+region rod cylinder z 0.5 0.3 0.15 INF INF units box
+END
+	cat >in.rest <<END
+flow_style projection cells 6 5 4 viscosity 0.02 density 2.385
+$(tr '|' '\n' <<<"$faces")
+timestep 5e-3
+thermo_style custom step flow_ke flow_px flow_py flow_pz
+thermo_modify format float %.17g
+END
+	{ cat in.corner in.rest; echo 'run 7'; } >in.through
+	{ cat in.corner in.rest; echo "run $cut"; echo 'write_restart restart'; echo "run $((7 - cut))"; } >in.whole
+	{ echo 'read_restart restart'; grep '^region rod' in.corner; cat in.rest; echo "run $((7 - cut))"; } >in.again
+	resumes "$what" rows 1
+	"$TSIM" -in in.through -log none >through 2>&1
+	rows through | tail -n 1 >rows.through
+	same "$what: in one run" rows.whole rows.through
+done <<'END'
+edge 1 flow_boundary xlo inlet pressure 10|flow_boundary yhi inlet velocity 0 -0.1 0
+covered 2 flow_boundary zhi inlet pressure 1.2|flow_boundary ylo outlet|fix rod all immersed/boundary region rod min_cells 0
+END
 finish
