@@ -11,8 +11,13 @@ const char *const ts_mesh_wear_names[] = { "off", "finnie", NULL };
 static enum ts_status find_constant(struct ts_instance *self, struct tsim *sim,
 				    const struct ts_mesh_surface *surface, int type, double *k)
 {
-	return ts_property_value(sim, "k_finnie", (int)surface->type, type, "wear finnie",
-				 ts_instance_word(self, "wear"), k);
+	const struct ts_place *where = ts_instance_word(self, "wear");
+
+	TS_TRY(ts_property_value(sim, "k_finnie", (int)surface->type, type, "wear finnie", where, k));
+	if (*k >= 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_property_place(sim, "k_finnie", (int)surface->type, type),
+		       "property/global k_finnie is %.15g, expected a number >= 0", *k);
 }
 
 enum ts_status ts_mesh_wear_init(struct ts_instance *self, struct tsim *sim,

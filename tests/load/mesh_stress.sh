@@ -87,5 +87,8 @@ run 0" '7'
 
 rejects "$start wear finnie
 run 0" 'k_finnie'
+rejects "${start/fix cad/fix k all property\/global k_finnie peratomtypepair 2 1 2 2 -3
+fix cad} wear finnie
+run 0" 'k_finnie is -3, expected a number >= 0'
 rejects "$start wear archard" 'expected one of off, finnie'
 finish
