@@ -1408,6 +1408,7 @@ library_sources = \
 	src/restart/sieve.h \
 	src/review/bond_rigidity.c \
 	src/review/command_review.c \
+	src/review/empty_groups.c \
 	src/review/held_contacts.c \
 	src/review/integration.c \
 	src/review/internal.h \

@@ -152,11 +152,14 @@ enum ts_status ts_template_check_volume(struct ts_instance *self, struct tsim *s
 		       self->style->name, t->volume, t->volume_limit, 0.5 * t->volume);
 }
 
-static const char prefix[] = "particletemplate/";
+static bool begins(const struct ts_instance *fix, const char *prefix)
+{
+	return strncmp(fix->style->name, prefix, strlen(prefix)) == 0;
+}
 
 static bool is_template(const struct ts_instance *fix)
 {
-	return strncmp(fix->style->name, prefix, sizeof prefix - 1) == 0;
+	return begins(fix, "particletemplate/");
 }
 
 enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id, struct ts_instance **out)
@@ -201,6 +204,22 @@ int ts_template_max_type(const struct tsim *sim)
 			most = (int)one.type;
 	}
 	return (int)ts_ranks_most(sim, most);
+}
+
+uint32_t ts_template_groups(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	uint32_t groups = 0;
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		const struct ts_instance *fix = fixes->item[k];
+		struct ts_prospect one;
+
+		if (insertable_kind(fix, &one) || begins(fix, "particledistribution/") ||
+		    begins(fix, "insert/"))
+			groups |= (uint32_t)1 << fix->group;
+	}
+	return groups;
 }
 
 bool ts_template_of_spheres(const struct tsim *sim)

@@ -72,6 +72,9 @@ struct ts_prospect {
 /* The largest type of all particles, templates, fixes of the above family and those that give types to particles; 0 if
  * there are none. As in LIGGGHTS, contact laws must be defined for all types up to it. */
 int ts_template_max_type(const struct tsim *sim);
+/* The groups, as bits, of which inserted particles may be members: those of templates, distributions and fixes that
+ * insert. */
+uint32_t ts_template_groups(const struct tsim *sim);
 /* Whether there is a template of single spheres, or a fix that makes its own. */
 bool ts_template_of_spheres(const struct tsim *sim);
 /* 1 / mass of the lightest particle of this type that a fix can insert, or -1 if there is no such fix;

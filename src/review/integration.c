@@ -13,16 +13,13 @@
 
 #include "base/banned.h"
 
-/* Runs of at most one step serve as a set-up: insertion, a first output. */
-enum { SET_UP_STEPS = 1 };
-
 enum ts_status ts_review_integrator(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	uint32_t moved = ts_integrated_groups(sim, TS_MOVES);
 	size_t idle = 0, first = 0;
 
-	if (sim->review.steps <= SET_UP_STEPS || sim->outside || (!moved && ts_heat_of(sim)))
+	if (sim->review.steps <= TS_REVIEW_SET_UP || sim->outside || (!moved && ts_heat_of(sim)))
 		return TS_OK; /* a host program moves them; or conduction in a packing at rest */
 	if (!p->n && !moved && ts_template_of_spheres(sim))
 		return ts_review_report(sim, "integrator", NULL,
@@ -130,7 +127,7 @@ enum ts_status ts_review_rotation(struct tsim *sim)
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
 	if (sim->run.clamped ||
-	    sim->review.steps <= SET_UP_STEPS) /* clamped: fix nve/limit relaxes overlaps */
+	    sim->review.steps <= TS_REVIEW_SET_UP) /* clamped: fix nve/limit relaxes overlaps */
 		return TS_OK;
 	for (size_t k = 0; k < fixes->n; k++)
 		if (fixes->item[k]->style->integrates == (TS_MOVES | TS_OBEYS)) {

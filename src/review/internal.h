@@ -4,6 +4,11 @@
 
 #include "core/sim.h"
 
+/* Runs of at most one step serve as a set-up: insertion, a first output. */
+enum { TS_REVIEW_SET_UP = 1 };
+
+/* empty_groups.c */
+enum ts_status ts_review_group(struct tsim *sim);
 /* integration.c */
 enum ts_status ts_review_integrator(struct tsim *sim);
 enum ts_status ts_review_rotation(struct tsim *sim);

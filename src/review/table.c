@@ -8,6 +8,7 @@
 
 const struct ts_review_check ts_review_table[] = {
 	{ "integrator", "particles that no fix moves", ts_review_integrator, false },
+	{ "group", "fixes that act on a group without particles", ts_review_group, false },
 	{ "rotation", "an integrator without rotation for particles whose contacts have friction",
 	  ts_review_rotation, false },
 	{ "units", "numbers in SI units without the command `units`", ts_review_units, false },

@@ -118,6 +118,43 @@ run 1
 fix move all nve/sphere
 run 10"
 
+# ---- groups ----
+found 'a force on a group of a type that nobody has' group "$whole
+group water type 2
+fix down water gravity 9.81 vector 0 0 -1
+$rest" 'fix down (gravity) acts on nothing' "its group 'water' has no particle"
+pours="$start
+$law
+fix move all nve/sphere
+fix ball all particletemplate/sphere 15485863 atom_type 1 density constant 1000 radius constant 0.1
+fix mix all particledistribution/discrete 15485867 1 ball 1
+region high block 0.2 0.8 0.2 0.8 0.5 0.9 units box"
+found 'a wall for those of a type that are inserted later' group "$pours
+group poured type 1
+fix floor poured wall/gran primitive type 1 zplane 0
+fix rain all insert/pack seed 15485917 distributiontemplate mix insert_every once particles_in_region 3 region high
+$rest" 'fix floor (wall/gran) acts on nothing' "its group 'poured'"
+sound 'they are inserted into the group' "$pours
+group poured empty
+fix floor poured wall/gran primitive type 1 zplane 0
+fix rain poured insert/pack seed 15485917 distributiontemplate mix insert_every once particles_in_region 3 region high
+$rest"
+sound 'so is their template' "$pours
+group poured empty
+fix floor poured wall/gran primitive type 1 zplane 0
+fix small poured particletemplate/sphere 15485863 atom_type 2 density constant 1000 radius constant 0.1
+fix both all particledistribution/discrete 15485867 2 ball 0.5 small 0.5
+fix rain all insert/pack seed 15485917 distributiontemplate both insert_every once particles_in_region 3 region high
+$rest"
+sound 'groups that particles join, outputs, and meshes' "$whole
+variable quick atom vx>3
+group fast dynamic all var quick every 10
+group none empty
+fix brake fast viscous 0.1
+compute ke none ke
+fix mean none ave/time 1 10 10 c_ke
+$rest"
+
 # ---- rotation ----
 found 'nve with friction' rotation "$start
 $two
