@@ -1070,6 +1070,8 @@ library_sources = \
 	src/math/weighted_quantile.h \
 	src/mesh/cell_region.c \
 	src/mesh/cell_region.h \
+	src/mesh/cell_surface.c \
+	src/mesh/cell_surface.h \
 	src/mesh/command_mesh_primitive.c \
 	src/mesh/dump_mesh_stl.c \
 	src/mesh/dump_mesh_vtk.c \

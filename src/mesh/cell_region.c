@@ -27,6 +27,15 @@ static double signed_volume(const double a[3], const double b[3], const double c
 	return ts_dot(across, w) / 6;
 }
 
+static void find_turn(const struct ts_cell_region *r, struct ts_motion turn[3])
+{
+	for (int d = 0; d < 3; d++) {
+		turn[d] = ts_motion_none();
+		ts_motion_set_turn(&turn[d], (double[3]){ d == 0, d == 1, d == 2 },
+				   r->angle[d] * TS_PI / 180);
+	}
+}
+
 static void transform_point(const struct ts_cell_region *r, const struct ts_motion turn[3],
 			    const double given[3], double x[3])
 {
@@ -71,10 +80,8 @@ static enum ts_status take_cells(struct ts_instance *self, struct tsim *sim, con
 
 	r->n = 0;
 	r->volume = 0;
+	find_turn(r, turn);
 	for (int d = 0; d < 3; d++) {
-		turn[d] = ts_motion_none();
-		ts_motion_set_turn(&turn[d], (double[3]){ d == 0, d == 1, d == 2 },
-				   r->angle[d] * TS_PI / 180);
 		r->lo[d] = INFINITY;
 		r->hi[d] = -INFINITY;
 	}
@@ -94,6 +101,34 @@ static enum ts_status take_cells(struct ts_instance *self, struct tsim *sim, con
 		return TS_OK;
 	return ts_fail(&sim->error, TS_DAMAGED, ts_instance_word(self, r->file),
 		       "region %s: '%s' has no cell with a volume", self->style->name, r->file);
+}
+
+/* The file has solid cells of this shape only: take_cells. */
+static enum ts_status make_surface(struct ts_instance *self, struct tsim *sim,
+				   const struct ts_vtk_cells *cells, int shape)
+{
+	struct ts_cell_region *r = self->state;
+	int corners = shape == TETRAHEDRON ? 4 : 8;
+	size_t n = r->n / (shape == TETRAHEDRON ? 1 : 6), k = 0;
+	double(*x)[3] = ts_alloc_unset(n * (size_t)corners, sizeof *x), longest = 0;
+	enum ts_status status = TS_NOMEM;
+	struct ts_motion turn[3];
+
+	find_turn(r, turn);
+	for (size_t c = 0; x && c < cells->ncells; c++)
+		for (int64_t p = cells->offset[c]; p < cells->offset[c + 1] && !has_no_volume(cells->type[c]);
+		     p++)
+			transform_point(r, turn, cells->point[cells->corner[p]], x[k++]);
+	for (int d = 0; d < 3; d++)
+		longest = fmax(longest, r->hi[d] - r->lo[d]);
+	if (x)
+		status = ts_cell_surface_build(&r->surface, (const double(*)[3])x, n, corners,
+					       longest > 0 ? 1e-7 * longest : 1);
+	ts_free(x);
+	if (status != TS_RANGE)
+		return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, r->file),
+		       "region %s: '%s' has too many cells", self->style->name, r->file);
 }
 
 /* ---- the grid ---- */
@@ -177,6 +212,8 @@ enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, i
 				   ts_instance_word(self, r->file), r->file);
 	if (status == TS_OK)
 		status = take_cells(self, sim, &cells, shape);
+	if (status == TS_OK)
+		status = make_surface(self, sim, &cells, shape);
 	ts_vtk_cells_release(&cells);
 	return status == TS_OK ? make_grid(r, sim) : status;
 }
@@ -202,9 +239,8 @@ static bool tet_contains(const struct ts_cell_region_tet *t, const double x[3], 
 	return true;
 }
 
-bool ts_cell_region_contains(const struct ts_instance *self, const double x[3])
+static bool contains(const struct ts_cell_region *r, const double x[3], bool closed)
 {
-	const struct ts_cell_region *r = self->state;
 	size_t cell = 0;
 
 	for (int d = 0; d < 3; d++) {
@@ -213,9 +249,24 @@ bool ts_cell_region_contains(const struct ts_instance *self, const double x[3])
 		cell = cell * (size_t)r->grid[d] + (size_t)grid_index(r, d, x[d]);
 	}
 	for (uint32_t k = r->start[cell]; k < r->start[cell + 1]; k++)
-		if (tet_contains(&r->tet[r->item[k]], x, r->closed))
+		if (tet_contains(&r->tet[r->item[k]], x, closed))
 			return true;
 	return false;
+}
+
+bool ts_cell_region_contains(const struct ts_instance *self, const double x[3])
+{
+	const struct ts_cell_region *r = self->state;
+
+	return contains(r, x, r->closed);
+}
+
+double ts_cell_region_depth(const struct ts_instance *self, const double x[3])
+{
+	const struct ts_cell_region *r = self->state;
+	double distance = ts_cell_surface_distance(&r->surface, x);
+
+	return contains(r, x, true) ? distance : -distance;
 }
 
 void ts_cell_region_bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -238,4 +289,5 @@ void ts_cell_region_fini(struct ts_instance *self)
 	ts_free(r->tet);
 	ts_free(r->start);
 	ts_free(r->item);
+	ts_cell_surface_release(&r->surface);
 }

@@ -2,6 +2,7 @@
 #ifndef TS_MESH_CELL_REGION_H
 #define TS_MESH_CELL_REGION_H
 
+#include "mesh/cell_surface.h"
 #include "region/region.h"
 
 struct ts_cell_region_tet {
@@ -22,6 +23,7 @@ struct ts_cell_region {
 	int grid[3];	 /* number of grid cells in each dimension */
 	uint32_t *start; /* [grid cells + 1] */
 	int32_t *item;
+	struct ts_cell_surface surface;
 };
 
 #define TS_CELL_REGION_ARGS                                                                                  \
@@ -38,6 +40,8 @@ struct ts_cell_region {
 enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, int shape);
 bool ts_cell_region_contains(const struct ts_instance *self, const double x[3]);
 void ts_cell_region_bounds(const struct ts_instance *self, double lo[3], double hi[3]);
+/* Distance from the surface, < 0 outside; if cells overlap, a bound nearer to 0. */
+double ts_cell_region_depth(const struct ts_instance *self, const double x[3]);
 double ts_cell_region_volume(const struct ts_instance *self);
 void ts_cell_region_fini(struct ts_instance *self);
 

@@ -74,6 +74,17 @@ double ts_mesh_distance(const struct ts_mesh *mesh, size_t t, const double x[3])
 	return d.distance;
 }
 
+double ts_mesh_distance_least(const struct ts_mesh *mesh, const struct ts_mesh_tree *tree, const double x[3])
+{
+	struct ts_mesh_descent d;
+	double least = INFINITY;
+	size_t t;
+
+	for (ts_mesh_tree_descend(&d, tree, x); ts_mesh_tree_next(&d, least, &t);)
+		least = fmin(least, ts_mesh_distance(mesh, t, x));
+	return least;
+}
+
 enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct ts_mesh_tree *tree,
 				       const double x[3], double reach, struct ts_mesh_list *list, bool *near,
 				       struct ts_mesh_distance *out)

@@ -17,6 +17,8 @@ void ts_mesh_nearest_point(const struct ts_mesh *mesh, size_t t, const double x[
 
 /* The distance of x from triangle t. */
 double ts_mesh_distance(const struct ts_mesh *mesh, size_t t, const double x[3]);
+/* The distance of x from the nearest of all triangles; INFINITY for a mesh without any. */
+double ts_mesh_distance_least(const struct ts_mesh *mesh, const struct ts_mesh_tree *tree, const double x[3]);
 
 /* Signed distance of x from the surface. *near false: the surface is farther than `reach`, and `out` is not
  * written. If several triangles are equally near, as x is nearest to an edge or corner, the triangle

@@ -9,7 +9,7 @@
 
 #include "base/banned.h"
 
-enum { LEAF = 4, BITS = 21, STACK = 64 };
+enum { LEAF = 4, BITS = 21 };
 
 struct curve_point {
 	uint64_t code;
@@ -167,7 +167,7 @@ static bool are_boxes_apart(const double lo[3], const double hi[3], const double
 enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *m, const double x[3],
 				 double distance, struct ts_mesh_list *list)
 {
-	size_t stack[STACK], depth = 0;
+	size_t stack[TS_MESH_TREE_STACK], depth = 0;
 
 	list->n = 0;
 	if (tree->n)
@@ -188,6 +188,51 @@ enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct t
 	return TS_OK;
 }
 
+static double distance_from_box(const double lo[3], const double hi[3], const double x[3])
+{
+	double off[3];
+
+	for (int d = 0; d < 3; d++)
+		off[d] = fmax(0, fmax(lo[d] - x[d], x[d] - hi[d]));
+	return ts_norm(off);
+}
+
+static double distance_from_node(const struct ts_mesh_descent *d, size_t k)
+{
+	return distance_from_box(d->tree->lo[k], d->tree->hi[k], d->x);
+}
+
+void ts_mesh_tree_descend(struct ts_mesh_descent *d, const struct ts_mesh_tree *tree, const double x[3])
+{
+	*d = (struct ts_mesh_descent){ .tree = tree, .x = x };
+	if (tree->n)
+		d->stack[d->depth++] = 1;
+}
+
+bool ts_mesh_tree_next(struct ts_mesh_descent *d, double least, size_t *t)
+{
+	while (d->at == d->end) {
+		size_t k, far;
+
+		if (!d->depth)
+			return false;
+		k = d->stack[--d->depth];
+		if (distance_from_node(d, k) > least)
+			continue;
+		if (k >= d->tree->leaves) {
+			d->at = (k - d->tree->leaves) * LEAF;
+			d->end = d->at + LEAF < d->tree->n ? d->at + LEAF : d->tree->n;
+			d->at = d->at < d->end ? d->at : d->end;
+			continue;
+		}
+		far = distance_from_node(d, 2 * k) > distance_from_node(d, 2 * k + 1) ? 2 * k : 2 * k + 1;
+		d->stack[d->depth++] = far;
+		d->stack[d->depth++] = far ^ 1;
+	}
+	*t = (size_t)d->tree->triangle[d->at++];
+	return true;
+}
+
 static enum ts_status collect_within(const struct ts_mesh_tree *tree, const struct ts_mesh *m, size_t leaf,
 				     const double from[3], const double to[3], struct ts_mesh_list *list)
 {
@@ -206,7 +251,7 @@ static enum ts_status collect_within(const struct ts_mesh_tree *tree, const stru
 enum ts_status ts_mesh_tree_within(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
 				   const double lo[3], const double hi[3], struct ts_mesh_list *list)
 {
-	size_t stack[STACK], depth = 0;
+	size_t stack[TS_MESH_TREE_STACK], depth = 0;
 
 	list->n = 0;
 	if (tree->n)

@@ -6,6 +6,8 @@
 
 #include "mesh/mesh.h"
 
+enum { TS_MESH_TREE_STACK = 64 }; /* twice the depth of a tree is less */
+
 struct ts_mesh_tree {
 	size_t n, leaves;	   /* number of triangles; of leaves, a power of two */
 	int32_t *triangle;	   /* [n], in the order of the curve */
@@ -24,6 +26,17 @@ struct ts_mesh_list {
 /* All triangles that may have a point nearer to x than `distance`, in ascending order. */
 enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
 				 const double x[3], double distance, struct ts_mesh_list *list);
+
+/* Triangles one after the other, those in nearer boxes first, for the search of the nearest one:
+ *   for (ts_mesh_tree_descend(&d, tree, x); ts_mesh_tree_next(&d, least, &t);) least = ...; */
+struct ts_mesh_descent {
+	const struct ts_mesh_tree *tree;
+	const double *x;
+	size_t stack[TS_MESH_TREE_STACK], depth, at, end; /* nodes to visit; triangles left of a leaf */
+};
+void ts_mesh_tree_descend(struct ts_mesh_descent *d, const struct ts_mesh_tree *tree, const double x[3]);
+/* The next triangle whose box is not farther from x than `least`; false: there is none. */
+bool ts_mesh_tree_next(struct ts_mesh_descent *d, double least, size_t *t);
 
 /* All triangles whose bounding boxes overlap the box lo .. hi, in ascending order. */
 enum ts_status ts_mesh_tree_within(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,

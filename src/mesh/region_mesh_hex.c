@@ -31,4 +31,5 @@ const struct ts_region_style ts_region_mesh_hex = {
 	.contains = ts_cell_region_contains,
 	.bounds = ts_cell_region_bounds,
 	.volume = ts_cell_region_volume,
+	.depth = ts_cell_region_depth,
 };

@@ -67,6 +67,33 @@ region t mesh/hex file none.vtk units box" 'none.vtk'
 rejects "$start
 region t mesh/tet file tet.vtk scale 0 units box" 'scale'
 
+# all_in yes: no sphere of diameter d reaches beyond the sheared cube, whose faces are x, y = 0, 1 and z - 0.2 x = 0, 1; above the
+# face that two of them share there are some
+sed -e 's/POINTS 8/POINTS 12/' -e 's/1 1 1.2 0 1 1$/& 0 0 2 1 0 2.2 1 1 2.2 0 1 2/' -e 's/CELLS 1 9/CELLS 2 18/' \
+	-e 's/^8 0.*/&\n8 4 5 6 7 8 9 10 11/' -e 's/CELL_TYPES 1/CELL_TYPES 2/' -e 's/^12$/&\n12/' hex.vtk >two.vtk
+agree 'all_in' "$(sed 's/-2 2 -2 2 -2 2/-1 2 -1 2 -1 3/' <<<"$start")
+neighbor 0.01 bin
+fix m1 all property/global youngsModulus peratomtype 5.e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-6
+region h mesh/hex file two.vtk scale 1 move 0 0 0 rotate 0 0 0 units box
+fix t all particletemplate/sphere 15485863 atom_type 1 density constant 1000 radius constant 0.1
+fix p all particledistribution/discrete 15485867 1 t 1
+fix i all insert/pack seed 32452843 distributiontemplate p insert_every once overlapcheck yes all_in yes particles_in_region 60 region h
+run 1
+variable in atom \"(abs(x-0.5)<=0.4)*(abs(y-0.5)<=0.4)*(abs(z-0.2*x-1)<=1-0.1*sqrt(1.04))\"
+variable near atom \"abs(z-0.2*x-1)<0.1\"
+compute in all reduce sum v_in
+compute near all reduce sum v_near
+thermo_style custom step c_in c_near
+run 0
+print 'is inside \$(c_in) 60'
+print 'is shared \$(c_near>3) 1'"
+
 if has liggghts; then
 	cat >in.both <<END2
 $start

@@ -1,5 +1,6 @@
-/* Depth of points in regions against the distance from many points of their surface: exact for shapes of one style and for
- * intersections of convex ones, a bound otherwise. */
+/* Depth of points in regions against the distance from many points of their surface: exact for shapes of one style, for cells of
+ * files, and for intersections of convex ones, a bound otherwise. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -138,6 +139,46 @@ START_TEST(intersections)
 }
 END_TEST
 
+/* A cube of 5 tetrahedra with a pyramid of two more, once with points of its own, and once more the first tetrahedron. */
+static const char tetrahedra[] =
+	"0 0 0  1 0 0  1 1 0  0 1 0  0 0 1  1 0 1  1 1 1  0 1 1  1.4 0.6 0.7  1 1 0  1 0 1  1 1 1\n"
+	"CELLS 9 44\n3 0 1 2\n4 0 1 2 5\n4 0 2 3 7\n4 0 4 5 7\n4 2 5 6 7\n4 0 2 5 7\n"
+	"4 1 2 5 8\n4 9 11 10 8\n4 0 1 2 5\nCELL_TYPES 9\n5\n10\n10\n10\n10\n10\n10\n10\n10\n";
+/* A step of three, the third with points of its own and its corners in another order, so that diagonals of shared faces differ. */
+static const char hexahedra[] =
+	"0 0 0  1 0 0.2  1 1 0.2  0 1 0  0 0 0.5  1 0 0.7  1 1 0.7  0 1 0.5  0 0 1  1 0 1.2  1 1 1.2  0 1 1\n"
+	"1 0 0.2  1.4 0 0.2  1.4 1 0.2  1 1 0.2  1 0 0.7  1.4 0 0.7  1.4 1 0.7  1 1 0.7\n"
+	"CELLS 3 27\n8 0 1 2 3 4 5 6 7\n8 4 5 6 7 8 9 10 11\n8 13 14 15 12 17 18 19 16\nCELL_TYPES "
+	"3\n12\n12\n12\n";
+
+static void write_cells(const char *file, int points, const char *rest)
+{
+	FILE *f = fopen(file, "w");
+
+	ck_assert_ptr_nonnull(f);
+	fprintf(f,
+		"# vtk DataFile Version 2.0\ncells\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS %d double\n%s",
+		points, rest);
+	ck_assert_int_eq(fclose(f), 0);
+}
+
+START_TEST(cells)
+{
+	struct tsim *sim = open_regions();
+
+	write_cells("depth_tet.vtk", 12, tetrahedra);
+	write_cells("depth_hex.vtk", 20, hexahedra);
+	deck(sim,
+	     "region tet mesh/tet file depth_tet.vtk scale 0.9 move 0.1 0.2 0.1 rotate 10 20 -20 units box\n"
+	     "region hex mesh/hex file depth_hex.vtk scale 0.8 move 0.1 0.2 0 rotate 0 0 -10 units box");
+	compare_depth(sim, "tet", 0.04);
+	compare_depth(sim, "hex", 0.04);
+	tsim_close(sim);
+	remove("depth_tet.vtk");
+	remove("depth_hex.vtk");
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("depth");
@@ -146,6 +187,7 @@ int main(void)
 	tcase_set_timeout(tcase, 100);
 	tcase_add_test(tcase, shapes);
 	tcase_add_test(tcase, intersections);
+	tcase_add_test(tcase, cells);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
 }
