@@ -118,10 +118,10 @@ const struct ts_style ts_fix_insert_pack = {
 	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles at the same "
 	       "positions, but in a region mesh/tet or mesh/hex, in which LIGGGHTS draws a cell first, tsim "
 	       "a point of the bounding box. With all_in yes and a union of regions, a particle must lie "
-	       "completely in one member of the union, even if members share a surface; of a region mesh/tet or "
-	       "mesh/hex in all cells together, if these do not overlap. Walls are not looked "
-	       "at, so that a particle that is inserted where a thin solid of triangles is, as the flight of "
-	       "a screw, stays inside of it; avoid_meshes prevents this.",
+	       "completely in one member of the union, even if members share a surface; of a region mesh/tet "
+	       "or mesh/hex in all cells together, if these do not overlap. Walls are not looked at, so that "
+	       "a particle that is inserted where a thin solid of triangles is, as the flight of a screw, "
+	       "stays inside of it; avoid_meshes prevents this.",
 	.example = "fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once "
 		   "overlapcheck yes all_in yes vel constant 0 0 -0.5 region bed volumefraction_region 0.3",
 	.args = args,
