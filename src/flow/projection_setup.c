@@ -237,7 +237,7 @@ enum ts_status ts_projection_begin_on_grid(struct ts_instance *self, struct tsim
 	return ts_projection_keep_faces(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
-/* ---- */
+/* ---- set-up */
 
 enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 {

@@ -56,10 +56,9 @@ enum ts_status ts_review_group(struct tsim *sim)
 			continue;
 		TS_TRY(ts_review_report(sim, "group", &fix->where,
 					"fix %s (%s) acts on nothing: its group '%s' has no particle; a "
-					"group keeps the "
-					"particles that it had when the script defined it, and inserted "
-					"particles are "
-					"members of all and of the groups of the fixes that insert them",
+					"group keeps the particles that it had when the script defined it, "
+					"and inserted particles are members of all and of the groups of the "
+					"fixes that insert them",
 					fix->id, fix->style->name, ts_group_name(sim, fix->group)));
 	}
 	return TS_OK;
