@@ -4,6 +4,7 @@
 #include "contact/contact_loop.h"
 #include "law/elastic_energy.h"
 #include "neigh/contact_memory.h"
+#include "neigh/touching_sums.h"
 #include "particle/group_moments.h"
 
 #include "base/banned.h"
@@ -28,12 +29,12 @@ static double energy_of_contacts(const struct tsim *sim, size_t i)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
-	const struct ts_gather *g = &list->gather;
+	struct ts_touching touching = ts_touching_of(list, i);
 	double sum = 0;
+	uint32_t entry;
 
-	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++)
-		if (ts_contact_touches(list, g->entry[k] >> 1))
-			sum += energy_of_pair(sim, inst->state, g->entry[k] >> 1);
+	while (inst && ts_touching_next(list, &touching, &entry))
+		sum += energy_of_pair(sim, inst->state, entry >> 1);
 	return sum;
 }
 

@@ -9,6 +9,7 @@
 #include "contact/contact_view.h"
 #include "core/name_list.h"
 #include "math/vec3.h"
+#include "neigh/touching_sums.h"
 #include "particle/group_moments.h"
 
 #include "base/banned.h"
@@ -29,17 +30,15 @@ static inline void add_virial_of_pair(double w[restrict 6], const double d[3], c
 static void add_virial_of_contacts(const struct tsim *sim, size_t i, double w[6])
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
-	const struct ts_gather *g = &list->gather;
 	const struct ts_particles *p = sim->particles;
+	uint32_t entry;
 
-	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
-		size_t r = g->entry[k] >> 1;
+	for (struct ts_touching t = ts_touching_of(list, i); ts_touching_next(list, &t, &entry);) {
+		size_t r = entry >> 1;
 		double d[3];
 
-		if (!ts_contact_touches(list, r))
-			continue;
 		ts_sub(p->x[list->i[r]], p->x[list->j[r]], d);
-		add_virial_of_pair(w, d, ts_contact_force(list, ts_contact_kept(list, r)));
+		add_virial_of_pair(w, d, ts_contact_force(list, ts_contact_slot(list, r)));
 	}
 }
 

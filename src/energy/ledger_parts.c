@@ -7,6 +7,7 @@
 #include "contact/contact_view.h"
 #include "energy/ledger.h"
 #include "neigh/contact_memory.h"
+#include "neigh/touching_sums.h"
 #include "particle/identity.h"
 #include "wall/wall.h"
 
@@ -185,9 +186,9 @@ static const double *stored_wall_history(const struct tsim *sim, const struct ts
 enum ts_status ts_ledger_account_pairs(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_contact_list *rows = &sim->neigh->contacts;
-	const struct ts_gather *g = &rows->gather;
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct pair_accounting w = { .sim = sim, .l = l, .pair = pair ? pair->state : NULL };
+	uint32_t entry;
 
 	sums_start(&w.sums);
 	ts_contacts_store_history(sim, rows);
@@ -196,9 +197,8 @@ enum ts_status ts_ledger_account_pairs(struct tsim *sim, struct ts_ledger *l)
 		return ts_nomem(&sim->error);
 	memset(l->row_energy, 0, rows->n * sizeof *l->row_energy);
 	for (size_t i = 0; pair && rows->n && i < sim->particles->n; i++)
-		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
-			if (ts_contact_touches(rows, g->entry[k] >> 1))
-				account_pair(&w, g->entry[k] >> 1, (int)(g->entry[k] & 1), i);
+		for (struct ts_touching t = ts_touching_of(rows, i); ts_touching_next(rows, &t, &entry);)
+			account_pair(&w, entry >> 1, (int)(entry & 1), i);
 	return sums_finish(sim, &w.sums, l, TS_LEDGER_PAIR, true);
 }
 

@@ -79,7 +79,7 @@ void ts_touching_sums_update(const struct ts_contact_list *list, size_t from, si
 			list_slots(list, i);
 }
 
-/* Whether the list of the particle is a row, all of whose places in the gather list are numbers of one byte. */
+/* Whether the list of the particle is up to date and a row, all of whose places in the gather list are numbers of one byte. */
 static bool is_row(const struct ts_contact_list *list, size_t i)
 {
 	const size_t *first = list->gather.first;
@@ -167,4 +167,14 @@ void ts_touching_sums_change(const struct ts_contact_list *list, const struct ts
 {
 	change_of_particle(list, (size_t)pair->i, 2 * pair->row, pair->slot, touches);
 	change_of_particle(list, (size_t)pair->j, 2 * pair->row + 1, pair->slot, touches);
+}
+
+struct ts_touching ts_touching_of(const struct ts_contact_list *list, size_t i)
+{
+	const size_t *first = list->gather.first;
+
+	return list->sums_listed && is_row(list, i)
+		       ? (struct ts_touching){ TS_SUM_ROW * i, TS_SUM_ROW * i + list->sums[i], first[i],
+					       true }
+		       : (struct ts_touching){ first[i], first[i + 1], 0, false };
 }

@@ -31,6 +31,29 @@ TS_INLINE uint32_t ts_touching_sums_entry(const struct ts_contact_list *list, si
 			      : list->sum_rest[list->rest_first[i] + k - TS_SUM_ROW];
 }
 
+/* The entries (2 pair + side) of the gather list of particle i whose pairs touch, in its order:
+ *
+ *	for (struct ts_touching t = ts_touching_of(list, i); ts_touching_next(list, &t, &entry);) */
+struct ts_touching {
+	size_t at, end,
+		first; /* in sum_place, from the first entry of the gather list on; or in the gather list */
+	bool listed;
+};
+struct ts_touching ts_touching_of(const struct ts_contact_list *list, size_t i);
+
+TS_INLINE bool ts_touching_next(const struct ts_contact_list *list, struct ts_touching *t, uint32_t *entry)
+{
+	while (t->at < t->end) {
+		size_t k = t->listed ? t->first + list->sum_place[t->at] : t->at;
+
+		t->at++;
+		*entry = list->gather.entry[k];
+		if (t->listed || ts_contact_touches(list, *entry >> 1))
+			return true;
+	}
+	return false;
+}
+
 /* To be called when an active pair begins or ceases to touch, by the thread that computes it. */
 void ts_touching_sums_change(const struct ts_contact_list *list, const struct ts_active_pair *pair,
 			     bool touches);
