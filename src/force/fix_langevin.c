@@ -2,7 +2,10 @@
 #include "core/report.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "base/clones.h"
+#include "core/deferred_loops.h"
 #include "core/units.h"
 #include "math/rng.h"
 #include "particle/group_moments.h"
@@ -52,53 +55,76 @@ static double damping_time(const struct state *s, const struct ts_particles *p, 
 	return s->damp * s->factor[p->type[i]];
 }
 
-/* Random force on particle i in this step: variance 2 k T m/(damp dt) per component, uniformly
- * distributed (B. Duenweg, W. Paul, Int. J. Mod. Phys. C 2 (1991) 817). */
-static void random_force(const struct state *s, const struct tsim *sim, double kt, size_t i, double f[3])
-{
-	const struct ts_particles *p = sim->particles;
-	struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
-	double damp = damping_time(s, p, i);
-	double amplitude = sqrt(24 * kt * p->mass[i] / (damp * sim->clock.dt));
-
-	rng.counter = ts_clock_counter(&sim->clock, 3);
-	for (int k = 0; k < 3; k++)
-		f[k] = k < sim->dimension ? amplitude * (ts_rng_uniform(&rng) - 0.5) : 0;
-}
-
 struct bath {
+	const struct tsim *sim;
 	const struct state *s;
-	double kt;
+	double kt, mean[3]; /* mean: of the random forces, which is subtracted */
+	double dt;	    /* of the step, as the loop may be executed after its end */
+	uint64_t counter;
+	int group;
 };
 
-static void random_force_term(const struct tsim *sim, size_t i, const void *context, double *term)
+/* Random forces of this step: variance 2 k T m/(damp dt) per component, uniformly distributed (B. Duenweg, W. Paul, Int. J.
+ * Mod. Phys. C 2 (1991) 817). */
+TS_CLONES static void random_forces(const struct tsim *sim, size_t from, size_t n, const void *context,
+				    double (*f)[TS_TERM_BLOCK])
 {
 	const struct bath *bath = context;
+	const struct ts_particles *p = sim->particles;
+	double amplitude[TS_TERM_BLOCK];
 
-	random_force(bath->s, sim, bath->kt, i, term);
+	for (size_t i = 0; i < n; i++)
+		amplitude[i] = sqrt(24 * bath->kt * p->mass[from + i] /
+				    (damping_time(bath->s, p, from + i) * bath->dt));
+	memset(f, 0, 3 * sizeof *f);
+	for (int k = 0; k < sim->dimension; k++) {
+		ts_rng_uniform_of_streams((uint64_t)bath->s->seed, bath->counter + (uint64_t)k, p->tag + from,
+					  n, f[k]);
+		for (size_t i = 0; i < n; i++)
+			f[k][i] = amplitude[i] * (f[k][i] - 0.5);
+	}
+}
+
+static void add_block(const struct bath *bath, size_t from, size_t n)
+{
+	const struct ts_particles *p = bath->sim->particles;
+	double random[3][TS_TERM_BLOCK];
+
+	random_forces(bath->sim, from, n, bath, random);
+	for (size_t k = 0; k < n; k++) {
+		const size_t i = from + k;
+		const double rate = p->mass[i] / damping_time(bath->s, p, i);
+
+		for (int d = 0; d < 3 && ts_in_group(p, i, bath->group); d++)
+			p->f[i][d] += random[d][k] - rate * p->v[i][d] - bath->mean[d];
+	}
+}
+
+static void add_range(void *context, size_t from, size_t to)
+{
+	for (size_t n; from < to; from += n) {
+		n = to - from < TS_TERM_BLOCK ? to - from : TS_TERM_BLOCK;
+		add_block(context, from, n);
+	}
 }
 
 static enum ts_status add_langevin_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
-	struct bath bath = { s, 0 };
-	double t, mean[3] = { 0 }, n = s->zero ? ts_group_count(sim, self->group) : 0;
+	struct bath bath = { .sim = sim, .s = s, .group = self->group };
+	double t, n = s->zero ? ts_group_count(sim, self->group) : 0;
 
+	if (s->start.variable) /* it may read particles */
+		ts_deferred_loops_run(sim);
 	TS_TRY(target_temperature(self, sim, &t));
 	bath.kt = ts_boltzmann(sim) * t;
+	bath.dt = sim->clock.dt;
+	bath.counter = ts_clock_counter(&sim->clock, 3);
 	if (n > 0)
-		ts_group_sum(sim, self->group, 3, random_force_term, &bath, mean);
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double f[3], rate = p->mass[i] / damping_time(s, p, i);
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		random_force(s, sim, bath.kt, i, f);
-		for (int k = 0; k < 3; k++)
-			p->f[i][k] += f[k] - rate * p->v[i][k] - (n > 0 ? mean[k] / n : 0);
-	}
+		ts_group_sum_blocks(sim, self->group, 3, random_forces, &bath, bath.mean);
+	for (int k = 0; k < 3 && n > 0; k++)
+		bath.mean[k] /= n;
+	TS_DEFER_LOOP(sim, sim->particles->n, add_range, &bath);
 	return TS_OK;
 }
 
@@ -149,5 +175,6 @@ const struct ts_style ts_fix_langevin = {
 	.state_size = sizeof(struct state),
 	.init = init,
 	.hook[TS_STAGE_POST_FORCE] = add_langevin_force,
+	.defers = TS_DEFERS(POST_FORCE),
 	.ground = add_ground,
 };

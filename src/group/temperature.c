@@ -1,7 +1,7 @@
 #include "group/temperature.h"
 
+#include "base/clones.h"
 #include "core/units.h"
-#include "math/vec3.h"
 
 #include "base/banned.h"
 
@@ -29,16 +29,31 @@ void ts_temperature_tensor_in(const struct tsim *sim, int group, ts_peculiar_vel
 	ts_group_sum(sim, group, 7, kinetic_tensor_terms, &motion, out);
 }
 
-static void less_mean(const struct tsim *sim, size_t i, const void *mean, double u[3])
+/* For velocities less their mean, which the context is. */
+TS_CLONES static void kinetic_tensor_less_mean(const struct tsim *sim, size_t from, size_t n,
+					       const void *context, double (*term)[TS_TERM_BLOCK])
 {
-	ts_sub(sim->particles->v[i], mean, u);
+	const double(*v)[3] = (const double(*)[3])sim->particles->v + from, *m = sim->particles->mass + from;
+	const double *mean = context;
+
+	for (size_t i = 0; i < n; i++) {
+		double x = v[i][0] - mean[0], y = v[i][1] - mean[1], z = v[i][2] - mean[2];
+
+		term[0][i] = m[i] * x * x;
+		term[1][i] = m[i] * y * y;
+		term[2][i] = m[i] * z * z;
+		term[3][i] = m[i] * x * y;
+		term[4][i] = m[i] * x * z;
+		term[5][i] = m[i] * y * z;
+		term[6][i] = 1;
+	}
 }
 
 void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[3], double out[7])
 {
 	static const double zero[3] = { 0 };
 
-	ts_temperature_tensor_in(sim, group, less_mean, mean ? mean : zero, out);
+	ts_group_sum_blocks(sim, group, 7, kinetic_tensor_less_mean, mean ? mean : zero, out);
 }
 
 enum ts_status ts_temperature_write_tensor(const double tensor[7], struct ts_table *out)

@@ -113,27 +113,32 @@ TS_CLONES static double split(double term[TS_EXACTSUM_WAITING], double sigma, do
 }
 
 /* One round. *most: the largest term, then the largest rest. */
-static void add_multiples(struct ts_exactsum *sum, double *most)
+static void add_multiples(struct ts_exactsum *sum, double term[TS_EXACTSUM_WAITING], double *most)
 {
 	int exponent;
 
 	(void)frexp(*most, &exponent); /* *most < 2^exponent, u = 2^(exponent - DIGITS) */
 	exponent += 52 - DIGITS;
-	add_to_limbs(sum, split(sum->term, ldexp(1.5, exponent > SMALLEST ? exponent : SMALLEST), most));
+	add_to_limbs(sum, split(term, ldexp(1.5, exponent > SMALLEST ? exponent : SMALLEST), most));
+}
+
+void ts_exactsum_add_block(struct ts_exactsum *sum, double term[TS_EXACTSUM_WAITING], size_t n)
+{
+	double most = INFINITY;
+
+	if (FLT_EVAL_METHOD == 0 && n >= FEW) {
+		memset(term + n, 0, (TS_EXACTSUM_WAITING - n) * sizeof *term);
+		most = largest(term);
+	}
+	for (int round = 0; round < ROUNDS && most > 0 && isfinite(most); round++)
+		add_multiples(sum, term, &most);
+	for (size_t k = 0; most > 0 && k < n; k++)
+		add_to_limbs(sum, term[k]);
 }
 
 void ts_exactsum_absorb(struct ts_exactsum *sum)
 {
-	double most = INFINITY;
-
-	if (FLT_EVAL_METHOD == 0 && sum->waiting >= FEW) {
-		memset(sum->term + sum->waiting, 0, (TS_EXACTSUM_WAITING - sum->waiting) * sizeof *sum->term);
-		most = largest(sum->term);
-	}
-	for (int round = 0; round < ROUNDS && most > 0 && isfinite(most); round++)
-		add_multiples(sum, &most);
-	for (size_t k = 0; most > 0 && k < sum->waiting; k++)
-		add_to_limbs(sum, sum->term[k]);
+	ts_exactsum_add_block(sum, sum->term, sum->waiting);
 	sum->waiting = 0;
 }
 

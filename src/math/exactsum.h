@@ -47,6 +47,9 @@ static inline void ts_exactsum_add_each(struct ts_exactsum sum[], size_t n, cons
 		ts_exactsum_absorb(&sum[k]);
 }
 
+/* Adds n terms; what is in term[] afterwards is not defined. */
+void ts_exactsum_add_block(struct ts_exactsum *sum, double term[TS_EXACTSUM_WAITING], size_t n);
+
 /* Adds another sum. */
 void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other);
 /* Writes the sum as integers, or reads it: the sum of such integers of at most 2^31 sums, number by number, is that of their

@@ -2,25 +2,35 @@
 
 #include <math.h>
 
+#include "base/clones.h"
+#include "base/inline.h"
+
 #include "base/banned.h"
 
-void ts_rng_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
+/* The four words are encrypted in place. */
+TS_INLINE void philox(uint32_t *w0, uint32_t *w1, uint32_t *w2, uint32_t *w3, uint32_t k0, uint32_t k1)
 {
-	uint32_t k0 = key[0], k1 = key[1];
+	uint32_t x0 = *w0, x1 = *w1, x2 = *w2, x3 = *w3;
 
-	for (int i = 0; i < 4; i++)
-		out[i] = counter[i];
+#pragma GCC unroll 10
 	for (int round = 0; round < 10; round++) {
-		uint64_t a = UINT64_C(0xd2511f53) * out[0], b = UINT64_C(0xcd9e8d57) * out[2];
-		uint32_t x1 = out[1], x3 = out[3];
+		uint64_t a = UINT64_C(0xd2511f53) * x0, b = UINT64_C(0xcd9e8d57) * x2;
 
-		out[0] = (uint32_t)(b >> 32) ^ x1 ^ k0;
-		out[1] = (uint32_t)b;
-		out[2] = (uint32_t)(a >> 32) ^ x3 ^ k1;
-		out[3] = (uint32_t)a;
+		x0 = (uint32_t)(b >> 32) ^ x1 ^ k0;
+		x1 = (uint32_t)b;
+		x2 = (uint32_t)(a >> 32) ^ x3 ^ k1;
+		x3 = (uint32_t)a;
 		k0 += 0x9e3779b9u;
 		k1 += 0xbb67ae85u;
 	}
+	*w0 = x0, *w1 = x1, *w2 = x2, *w3 = x3;
+}
+
+void ts_rng_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
+{
+	for (int i = 0; i < 4; i++)
+		out[i] = counter[i];
+	philox(&out[0], &out[1], &out[2], &out[3], key[0], key[1]);
 }
 
 static void draw_words(struct ts_rng *rng, uint64_t out[2])
@@ -37,9 +47,15 @@ static void draw_words(struct ts_rng *rng, uint64_t out[2])
 }
 
 /* 52 bits plus one half: never 0 or 1. */
-static double to_open_unit_interval(uint64_t bits)
+TS_INLINE double to_open_unit_interval(uint64_t bits)
 {
-	return ((double)(bits >> 12) + 0.5) * 0x1p-52;
+	/* 2^52 plus the whole number, whose conversion few instruction sets have */
+	const union {
+		uint64_t bits;
+		double real;
+	} above = { UINT64_C(0x433) << 52 | bits >> 12 };
+
+	return (above.real - 0x1p52 + 0.5) * 0x1p-52;
 }
 
 double ts_rng_uniform(struct ts_rng *rng)
@@ -48,6 +64,22 @@ double ts_rng_uniform(struct ts_rng *rng)
 
 	draw_words(rng, bits);
 	return to_open_unit_interval(bits[0]);
+}
+
+TS_CLONES void ts_rng_uniform_of_streams(uint64_t seed, uint64_t counter, const int32_t stream[], size_t n,
+					 double out[])
+{
+	const uint32_t key[2] = { (uint32_t)seed, (uint32_t)(seed >> 32) };
+
+#pragma omp simd
+	for (size_t i = 0; i < n; i++) {
+		const uint64_t s = (uint64_t)stream[i];
+		uint32_t w0 = (uint32_t)counter, w1 = (uint32_t)(counter >> 32), w2 = (uint32_t)s,
+			 w3 = (uint32_t)(s >> 32);
+
+		philox(&w0, &w1, &w2, &w3, key[0], key[1]);
+		out[i] = to_open_unit_interval((uint64_t)w1 << 32 | w0);
+	}
 }
 
 double ts_rng_normal(struct ts_rng *rng)

@@ -6,6 +6,7 @@
 #ifndef TS_MATH_RNG_H
 #define TS_MATH_RNG_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 struct ts_rng {
@@ -20,6 +21,9 @@ static inline struct ts_rng ts_rng_start(uint64_t seed, uint64_t stream)
 
 /* Uniform in the open interval (0, 1); 52 random bits. */
 double ts_rng_uniform(struct ts_rng *rng);
+/* The number with this counter of each of n streams of a seed, as ts_rng_uniform draws it. */
+void ts_rng_uniform_of_streams(uint64_t seed, uint64_t counter, const int32_t stream[], size_t n,
+			       double out[]);
 /* Normal with mean 0 and standard deviation 1. */
 double ts_rng_normal(struct ts_rng *rng);
 

@@ -4,6 +4,7 @@
 #define TS_PARTICLE_GROUP_MOMENTS_H
 
 #include "box/domain.h"
+#include "math/exactsum.h"
 #include "particle/particles.h"
 
 /* Unwrapped position of particle i: x + image * box length, plus the displacements of sheared images. */
@@ -52,6 +53,13 @@ enum { TS_MOST_TERMS = 8 };
 typedef void ts_term_fn(const struct tsim *sim, size_t i, const void *context, double *term);
 void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, const void *context,
 		  double *out);
+/* The same with a function that writes the terms of the particles from .. from+n-1, in the group or not, to columns: term[k][0]
+ * .. term[k][n-1]. */
+enum { TS_TERM_BLOCK = TS_EXACTSUM_WAITING };
+typedef void ts_terms_fn(const struct tsim *sim, size_t from, size_t n, const void *context,
+			 double (*term)[TS_TERM_BLOCK]);
+void ts_group_sum_blocks(const struct tsim *sim, int group, size_t width, ts_terms_fn *terms,
+			 const void *context, double *out);
 
 /* Components of symmetric tensors in the order xx, yy, zz, xy, xz, yz. */
 extern const int ts_tensor_row[6], ts_tensor_column[6];

@@ -1,7 +1,8 @@
 #include "rigid/mass_moments.h"
 
+#include "base/clones.h"
+#include "base/inline.h"
 #include "math/vec3.h"
-#include "particle/group_moments.h"
 
 #include "base/banned.h"
 
@@ -62,4 +63,121 @@ void ts_mass_second_moment(const struct tsim *sim, size_t i, const double c[3], 
 	for (int k = 0; k < 6; k++)
 		term[k] = m * d[ts_tensor_row[k]] * d[ts_tensor_column[k]] - own[k] +
 			  (k < 3 ? (own[0] + own[1] + own[2]) / 2 : 0);
+}
+
+/* ---- blocks of particles: loops over columns, which are vectorised */
+
+TS_INLINE void places(const struct tsim *sim, size_t from, size_t n, double x[3][TS_TERM_BLOCK])
+{
+	const bool clumps = sim->rigid->n > 0;
+	double place[3];
+
+	for (size_t i = 0; i < n; i++) {
+		if (clumps)
+			ts_rigid_share_place(sim, from + i, place);
+		else
+			ts_unwrapped(sim, from + i, place);
+		for (int d = 0; d < 3; d++)
+			x[d][i] = place[d];
+	}
+}
+
+TS_INLINE void arms(const struct tsim *sim, size_t from, size_t n, const double c[3],
+		    double d[3][TS_TERM_BLOCK])
+{
+	places(sim, from, n, d);
+	for (int k = 0; k < 3; k++)
+		for (size_t i = 0; i < n; i++)
+			d[k][i] -= c[k];
+}
+
+TS_INLINE void velocities(const struct tsim *sim, size_t from, size_t n, double v[3][TS_TERM_BLOCK])
+{
+	const bool clumps = sim->rigid->n > 0;
+
+	for (size_t i = 0; i < n; i++) {
+		const double *own =
+			clumps ? ts_rigid_share_velocity(sim, from + i) : sim->particles->v[from + i];
+
+		for (int d = 0; d < 3; d++)
+			v[d][i] = own[d];
+	}
+}
+
+TS_INLINE void multiply_by_mass(const struct tsim *sim, size_t from, size_t n, double (*term)[TS_TERM_BLOCK])
+{
+	const double *m = sim->particles->mass + from;
+
+	for (size_t i = 0; i < n; i++)
+		term[3][i] = m[i];
+	for (int d = 0; d < 3; d++)
+		for (size_t i = 0; i < n; i++)
+			term[d][i] *= m[i];
+}
+
+TS_CLONES void ts_mass_moment_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
+				    double (*term)[TS_TERM_BLOCK])
+{
+	(void)context;
+	places(sim, from, n, term);
+	multiply_by_mass(sim, from, n, term);
+}
+
+TS_CLONES void ts_mass_momentum_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
+				      double (*term)[TS_TERM_BLOCK])
+{
+	(void)context;
+	velocities(sim, from, n, term);
+	multiply_by_mass(sim, from, n, term);
+}
+
+/* Adds what clumps have about their own centres of mass. */
+static void add_shares(const struct tsim *sim, size_t from, size_t n, size_t width,
+		       void (*share)(const struct tsim *sim, size_t i, double *own),
+		       double (*term)[TS_TERM_BLOCK])
+{
+	double own[6];
+
+	for (size_t i = 0; i < n && sim->rigid->n; i++) {
+		share(sim, from + i, own);
+		for (size_t k = 0; k < width; k++)
+			term[k][i] += own[k];
+	}
+}
+
+TS_CLONES void ts_mass_angular_momentum_terms(const struct tsim *sim, size_t from, size_t n,
+					      const void *centre, double (*term)[TS_TERM_BLOCK])
+{
+	const double *m = sim->particles->mass + from;
+	double d[3][TS_TERM_BLOCK], v[3][TS_TERM_BLOCK];
+
+	arms(sim, from, n, centre, d);
+	velocities(sim, from, n, v);
+	for (int k = 0; k < 3; k++) {
+		const int a = (k + 1) % 3, b = (k + 2) % 3;
+
+		for (size_t i = 0; i < n; i++)
+			term[k][i] = m[i] * (d[a][i] * v[b][i] - d[b][i] * v[a][i]);
+	}
+	add_shares(sim, from, n, 3, ts_rigid_share_spin, term);
+}
+
+TS_CLONES void ts_mass_inertia_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+				     double (*term)[TS_TERM_BLOCK])
+{
+	const double *m = sim->particles->mass + from;
+	double d[3][TS_TERM_BLOCK];
+
+	arms(sim, from, n, centre, d);
+	for (size_t i = 0; i < n; i++) {
+		double x = d[0][i], y = d[1][i], z = d[2][i];
+
+		term[0][i] = m[i] * (y * y + z * z);
+		term[1][i] = m[i] * (x * x + z * z);
+		term[2][i] = m[i] * (x * x + y * y);
+		term[3][i] = -m[i] * x * y;
+		term[4][i] = -m[i] * x * z;
+		term[5][i] = -m[i] * y * z;
+	}
+	add_shares(sim, from, n, 6, ts_rigid_share_inertia, term);
 }

@@ -4,6 +4,7 @@
 #ifndef TS_RIGID_MASS_MOMENTS_H
 #define TS_RIGID_MASS_MOMENTS_H
 
+#include "particle/group_moments.h"
 #include "rigid/rigid_share.h"
 
 /* m x, m v; the fourth term is m. */
@@ -16,5 +17,9 @@ void ts_mass_angular_momentum(const struct tsim *sim, size_t i, const double c[3
 /* Tensors in the order of ts_tensor_names: m (d^2 delta_ab - d_a d_b), m d_a d_b. */
 void ts_mass_inertia(const struct tsim *sim, size_t i, const double c[3], double term[6]);
 void ts_mass_second_moment(const struct tsim *sim, size_t i, const double c[3], double term[6]);
+
+/* The same for blocks of particles in ts_group_sum_blocks; the context is c, where one is needed. */
+ts_terms_fn ts_mass_moment_terms, ts_mass_momentum_terms, ts_mass_angular_momentum_terms,
+	ts_mass_inertia_terms;
 
 #endif

@@ -75,6 +75,25 @@ START_TEST(rng_is_a_function)
 }
 END_TEST
 
+/* Numbers of many streams at once are those of each stream. */
+START_TEST(rng_of_streams)
+{
+	enum { N = 37 };
+	const uint64_t seed = UINT64_C(0x123456789abcdef0), counter = UINT64_C(0xfedcba9876543210);
+	int32_t stream[N];
+	double out[N];
+
+	for (int k = 0; k < N; k++)
+		stream[k] = k * 57885161 % 1000003 + (k == 5 ? INT32_MAX - 1000003 : 0);
+	ts_rng_uniform_of_streams(seed, counter, stream, N, out);
+	for (int k = 0; k < N; k++) {
+		struct ts_rng rng = { seed, (uint64_t)stream[k], counter };
+
+		ck_assert(out[k] == ts_rng_uniform(&rng));
+	}
+}
+END_TEST
+
 /* The sum of two sums, added as integers. */
 static double sum_as_integers(const double a[2], const double b[2])
 {
@@ -199,7 +218,10 @@ START_TEST(exactsum_together)
 
 	for (size_t k = 0; k < sizeof size / sizeof *size; k++)
 		for (int n = 1; n < 700; n += 1 + n / 9) {
-			struct ts_exactsum together = ts_exactsum_start(), alone = ts_exactsum_start();
+			struct ts_exactsum together = ts_exactsum_start(), alone = ts_exactsum_start(),
+					   blocks = ts_exactsum_start();
+			double block[TS_EXACTSUM_WAITING];
+			const int length = 1 + n % TS_EXACTSUM_WAITING;
 
 			for (int i = 0; i < n; i++) {
 				int exponent = size[k].least + (int)(size[k].range * ts_rng_uniform(&rng));
@@ -210,8 +232,12 @@ START_TEST(exactsum_together)
 				ts_exactsum_add(&one, term);
 				ts_exactsum_add(&together, term);
 				ts_exactsum_merge(&alone, &one);
+				block[i % length] = term;
+				if (i % length == length - 1 || i == n - 1)
+					ts_exactsum_add_block(&blocks, block, (size_t)(i % length) + 1);
 			}
 			ck_assert(ts_exactsum_value(&together) == ts_exactsum_value(&alone));
+			ck_assert(ts_exactsum_value(&together) == ts_exactsum_value(&blocks));
 			ts_exactsum_add(&together, -ts_exactsum_value(&alone));
 			ts_exactsum_add(&alone, -ts_exactsum_value(&alone));
 			ck_assert(ts_exactsum_value(&together) == ts_exactsum_value(&alone));
@@ -388,6 +414,7 @@ int main(void)
 	tcase_add_test(tests, philox_known_answers);
 	tcase_add_test(tests, rng_moments);
 	tcase_add_test(tests, rng_is_a_function);
+	tcase_add_test(tests, rng_of_streams);
 	tcase_add_test(tests, exactsum_cancels);
 	tcase_add_test(tests, exactsum_as_integers);
 	tcase_add_test(tests, exactsum_range);
