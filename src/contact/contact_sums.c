@@ -3,6 +3,8 @@ TS_UNROLLED
 
 #include "contact/contact_sums.h"
 
+#include <string.h>
+
 #include "base/eight.h"
 #include "neigh/touching_sums.h"
 
@@ -44,30 +46,62 @@ TS_INLINE void add_or_set(double to[3], const ts_eight *sum, int from, bool over
 		to[d] = overwrite ? (*sum)[from + d] : to[d] + (*sum)[from + d];
 }
 
-/* Sums the results of the touching pairs of each particle; `parts` as in struct ts_contact_list; always: number of
- * entries that are added for all particles. */
+/* Neighbours in memory are neighbours in space: where grains fly, none of several touches. */
+enum { TOGETHER = 8 };
+
+TS_INLINE bool none_touches(const uint32_t sums[TOGETHER])
+{
+	uint64_t two[TOGETHER / 2];
+
+	memcpy(two, sums, sizeof two);
+	return !(two[0] | two[1] | two[2] | two[3]);
+}
+
+static void clear_sums(const struct ts_particles *p, size_t from, size_t n, size_t parts)
+{
+	memset(p->f[from], 0, n * sizeof *p->f);
+	if (parts > 1)
+		memset(p->torque[from], 0, n * sizeof *p->torque);
+}
+
+/* Sums the results of the touching pairs of particle i; `parts` as in struct ts_contact_list; always: number of entries that
+ * are added for all particles. */
+TS_INLINE void sum_particle(const struct ts_contact_list *list, const struct ts_particles *p, size_t i,
+			    size_t parts, int always)
+{
+	const ts_four *results = (const ts_four *)list->result;
+	const ts_eight radius = EIGHT(list->sphere[i].position[3]);
+	const uint32_t *row = list->sum + TS_SUM_ROW * i;
+	const bool overwrite = list->overwrite_sums;
+	ts_eight sum = EIGHT(0);
+	size_t n = list->sums[i];
+
+	add_row(&sum, &radius, results, parts, row, 0, always);
+	if (n > (size_t)always) {
+		add_row(&sum, &radius, results, parts, row, always, TS_SUM_ROW);
+		for (size_t k = TS_SUM_ROW; k < n; k++)
+			add_result(&sum, &radius, results, parts, ts_touching_sums_entry(list, i, k));
+	}
+	add_or_set(p->f[i], &sum, 0, overwrite);
+	if (parts > 1)
+		add_or_set(p->torque[i], &sum, 4, overwrite);
+}
+
 TS_INLINE void sum_forces(const struct ts_contact_list *list, const struct ts_particles *p, size_t from,
 			  size_t to, size_t parts, int always)
 {
-	const ts_four *results = (const ts_four *)list->result;
-	bool overwrite = list->overwrite_sums;
+	const bool overwrite = list->overwrite_sums;
 
-	for (size_t i = from; i < to; i++) {
-		const ts_eight radius = EIGHT(list->sphere[i].position[3]);
-		ts_eight sum = EIGHT(0);
-		const uint32_t *row = list->sum + TS_SUM_ROW * i;
-		size_t n = list->sums[i];
-
-		add_row(&sum, &radius, results, parts, row, 0, always);
-		if (n > (size_t)always) {
-			add_row(&sum, &radius, results, parts, row, always, TS_SUM_ROW);
-			for (size_t k = TS_SUM_ROW; k < n; k++)
-				add_result(&sum, &radius, results, parts, ts_touching_sums_entry(list, i, k));
+	for (; to - from >= TOGETHER; from += TOGETHER) {
+		if (overwrite && none_touches(list->sums + from)) {
+			clear_sums(p, from, TOGETHER, parts);
+			continue;
 		}
-		add_or_set(p->f[i], &sum, 0, overwrite);
-		if (parts > 1)
-			add_or_set(p->torque[i], &sum, 4, overwrite);
+		for (size_t i = from; i < from + TOGETHER; i++)
+			sum_particle(list, p, i, parts, always);
 	}
+	for (; from < to; from++)
+		sum_particle(list, p, from, parts, always);
 }
 
 #define SUM(name, parts, always)                                                                     \

@@ -1,5 +1,7 @@
 #include "neigh/touching_sums.h"
 
+#include "base/clones.h"
+
 #include "base/banned.h"
 
 /* Places the ends of long lists one after the other; returns their length. A particle of c candidate pairs sums c
@@ -72,8 +74,20 @@ static void list_slots(const struct ts_contact_list *list, size_t i)
 	list->sums[i] = n;
 }
 
+TS_CLONES static bool any_stale(const uint32_t *sums, size_t n)
+{
+	uint32_t most = 0;
+
+#pragma omp simd reduction(max : most)
+	for (size_t i = 0; i < n; i++)
+		most = sums[i] > most ? sums[i] : most;
+	return most == TS_SUMS_STALE;
+}
+
 void ts_touching_sums_update(const struct ts_contact_list *list, size_t from, size_t to)
 {
+	if (!any_stale(list->sums + from, to - from))
+		return;
 	for (size_t i = from; i < to; i++)
 		if (list->sums[i] == TS_SUMS_STALE)
 			list_slots(list, i);
