@@ -692,7 +692,6 @@ library_sources = \
 	src/geom/pairs.h \
 	src/geom/pointhash.c \
 	src/geom/pointhash.h \
-	src/geom/primitive.c \
 	src/geom/primitive.h \
 	src/geom/recession.h \
 	src/geom/spherehash.c \

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "box/domain.h"
 #include "core/sim.h"
@@ -259,19 +260,31 @@ static void add_rotation_velocity(const struct ts_primitive_wall *w, const struc
 	}
 }
 
-static void surface_velocity(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3],
-			     double v[3])
+/* A cylinder about its axis. */
+static bool rotates(const struct ts_primitive_wall *w)
 {
-	int shape = (int)w->primitive[0].shape;
+	const int shape = (int)w->primitive[0].shape;
 
+	return w->shear_words.n && shape >= TS_XCYLINDER && shape % 3 != w->shear_dim;
+}
+
+/* Of all places, without the rotation. */
+static void common_velocity(const struct ts_primitive_wall *w, const struct tsim *sim, double v[3])
+{
 	for (int d = 0; d < 3; d++)
 		v[d] = w->velocity[d];
 	if (w->wiggle_dim >= 0)
 		v[w->wiggle_dim] += wiggle_velocity(w, sim);
-	if (w->shear_words.n && shape >= TS_XCYLINDER && shape % 3 != w->shear_dim)
-		add_rotation_velocity(w, sim, shape % 3, x, v);
-	else if (w->shear_words.n)
+	if (w->shear_words.n && !rotates(w))
 		v[w->shear_dim] += w->shear;
+}
+
+static void surface_velocity(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3],
+			     double v[3])
+{
+	common_velocity(w, sim, v);
+	if (rotates(w))
+		add_rotation_velocity(w, sim, (int)w->primitive[0].shape % 3, x, v);
 }
 
 /* Element k displaced along its normal by `moved`. */
@@ -539,18 +552,30 @@ struct force_task {
 	struct ts_wall *wall;
 	const struct ts_primitive_wall *w;
 	struct ts_primitive at[MOST];
+	struct ts_wall_contact_point all; /* what all contacts have in common */
+	bool rotates;
 };
 
+/* A point whose distance, normal and curvature are known. */
+static inline void complete_point(const struct force_task *t, const double x[3],
+				  struct ts_wall_contact_point *point)
+{
+	struct ts_wall_contact_point all = t->all;
+
+	memcpy(all.n, point->n, sizeof all.n);
+	all.distance = point->distance;
+	all.curvature = point->curvature;
+	*point = all;
+	if (t->rotates)
+		add_rotation_velocity(t->w, t->sim, (int)t->w->primitive[0].shape % 3, x, point->velocity);
+}
+
+/* Particles that do not touch, most of a list, cost no more than their distance. */
 static void compute_range(void *context, size_t from, size_t to)
 {
 	const struct force_task *t = context;
-	const struct ts_primitive_wall *w = t->w;
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
-	const struct ts_wall_contact_point all = { .type = w->type,
-						   .observed = t->wall->observers[0] != 0,
-						   .warm = !isnan(w->temperature),
-						   .temperature = w->temperature };
 	struct ts_wall_queue queue;
 
 	ts_wall_queue_start(&queue, t->wall, t->sim);
@@ -559,24 +584,35 @@ static void compute_range(void *context, size_t from, size_t to)
 		struct ts_wall_contact_point *point = ts_wall_queue_next(&queue);
 
 		ts_wall_prefetch_ahead(c, p, k, to);
-		*point = all;
 		point->distance = ts_primitive_distance(&t->at[c->key[k][1]], x, point->n);
-		point->curvature = surface_curvature(w, point->n, x);
-		if (!ts_wall_touches(&queue, k, point)) {
+		point->curvature = surface_curvature(t->w, point->n, x);
+		if (queue.long_ranged || point->distance < p->radius[c->row[k]])
+			complete_point(t, x, point);
+		if (!ts_wall_touches(&queue, k, point))
 			ts_wall_contact_end(c, k);
-			continue;
-		}
-		surface_velocity(w, t->sim, x, point->velocity);
-		ts_wall_enqueue_contact(&queue, k, point);
+		else
+			ts_wall_enqueue_contact(&queue, k, point);
 	}
 	ts_wall_queue_end(&queue);
+}
+
+static struct ts_wall_contact_point common_point(const struct ts_wall *wall, const struct tsim *sim)
+{
+	const struct ts_primitive_wall *w = wall->geometry;
+	struct ts_wall_contact_point all = { .type = w->type,
+					     .observed = wall->observers[0] != 0,
+					     .warm = !isnan(w->temperature),
+					     .temperature = w->temperature };
+
+	common_velocity(w, sim, all.velocity);
+	return all;
 }
 
 static enum ts_status enqueue(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *wall = self->state;
 	const struct ts_primitive_wall *w = wall->geometry;
-	struct force_task task = { sim, wall, w, { { 0 } } };
+	struct force_task task = { sim, wall, w, { { 0 } }, common_point(wall, sim), rotates(w) };
 	double moved = displacement(w, sim);
 
 	for (int k = 0; k < w->n; k++)
