@@ -27,7 +27,8 @@ enum ts_flow_face {
 	TS_FLOW_WALL,  /* no slip; the wall may move */
 	TS_FLOW_SLIP,  /* no flow across, no shear; also a plane of symmetry */
 	TS_FLOW_INLET, /* velocity given */
-	/* pressure given, zero normal gradient of velocity; backflow enters without momentum */
+	/* pressure given, zero normal gradient of velocity; backflow enters without momentum along the face, as far as viscosity does
+	 * not pass it on: fluid_ghosts.c */
 	TS_FLOW_OUTLET,
 	TS_FLOW_INTAKE /* pressure given; fluid that enters has the normal velocity of the first cell */
 };

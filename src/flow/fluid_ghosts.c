@@ -14,12 +14,12 @@
 enum rule {
 	RULE_MIRROR, /* tangential component at a wall: the velocity given is that on the face */
 	RULE_EVEN,   /* symmetric about the face */
-	RULE_OUT,    /* zero gradient; 0 with backflow. Given: 1 where the fluid leaves, else 0 */
+	RULE_OUT,    /* zero gradient where the fluid leaves; less with backflow. Given: part_kept */
 	RULE_ODD,    /* value given on the face, which lies midway between two points */
 	/* the component across the face: */
 	RULE_SET,   /* given on the face, continued by a straight line */
 	RULE_KEEP,  /* continued by a straight line */
-	RULE_LEAVE, /* as RULE_OUT */
+	RULE_LEAVE, /* zero gradient; 0 with backflow. Given: 1 where the fluid leaves, else 0 */
 };
 
 enum { LINES = 64 }; /* at most this number of lines is filled at a time */
@@ -212,6 +212,7 @@ struct source {
 	ptrdiff_t face;	      /* on it, relative to the cells of the lowest layer */
 	int c;		      /* component that is filled */
 	double out;	      /* sign of velocities out of the grid */
+	double exchange;      /* see part_kept, velocity */
 	const struct ts_fluid *fluid;
 };
 
@@ -339,34 +340,33 @@ static double velocity_at_edge(const struct source *source, const struct plane *
 			       : given->constant[d];
 }
 
-/* Whether the mean of two velocities leaves; not where it is round-off of opposite ones, as in flows that are symmetric. */
-static inline bool mean_leaves(double first, double second, double out)
+/* Which part of the velocity along an open face the fluid outside has: all of it where the fluid leaves or none passes; where
+ * it enters with the velocity u, which should bring no momentum, nu/(nu + |u| h). So the shear on the face, nu/h times what
+ * is missing, is at most what the flow through it carries, and it vanishes with the flow, whatever the sign of round-off.
+ * exchange: nu/h, h the width of the cell inside. */
+static inline double part_kept(double outwards, double exchange)
 {
-	static const double ROUND_OFF = 1e-12;
-
-	return (first + second) * out > ROUND_OFF * (fabs(first) + fabs(second));
+	return outwards >= 0 ? 1 : exchange / (exchange - outwards);
 }
 
-/* 1 where the fluid leaves beside a point of the component, else 0. */
-static void find_leaving_beside(struct source *source, const struct plane *plane, int ia, int ib, int n)
+/* part_kept beside points of the component. */
+static void find_part_kept(struct source *source, const struct plane *plane, int ia, int ib, int n)
 {
 	const struct ts_grid *grid = source->grid;
 	const ptrdiff_t along = grid->stride[plane->a], below = grid->stride[source->c];
 	const double *u = source->across + plane_offset(grid, plane, ia, ib) + source->face;
-	const double out = source->out;
 	const bool varies = source->c == plane->a;
 	const int lowest = -grid->ghosts[source->c], end = grid->n[source->c];
 
 	for (int m = 0; m < n; m++) {
 		const int i = varies ? ia + m : ib;
-		bool leaves;
+		double through = 0; /* there is none below the lowest */
 
-		if (grid->periodic[source->c] || (i > 0 && i < end)) /* there is none below the lowest */
-			leaves = i > lowest && mean_leaves(u[m * along], u[m * along - below], out);
-		else
-			leaves = velocity_at_edge(source, plane, ia + m, ib, i > 0 ? TS_HIGH : TS_LOW) * out >
-				 0;
-		source->constant[m] = leaves;
+		if (!grid->periodic[source->c] && (i <= 0 || i >= end))
+			through = velocity_at_edge(source, plane, ia + m, ib, i > 0 ? TS_HIGH : TS_LOW);
+		else if (i > lowest)
+			through = 0.5 * (u[m * along] + u[m * along - below]);
+		source->constant[m] = part_kept(through * source->out, source->exchange);
 	}
 }
 
@@ -383,8 +383,10 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, 
 	};
 
 	source.out = side == TS_LOW ? -1 : 1;
+	source.exchange = fluid->viscosity /
+			  (fluid->density * fluid->grid.width[d][side == TS_LOW ? 0 : fluid->grid.n[d] - 1]);
 	if (rule == RULE_OUT)
-		source.find = find_leaving_beside;
+		source.find = find_part_kept;
 	else if (rule == RULE_MIRROR)
 		give_velocity(&source, &fluid->face_velocity[d][side], c);
 	fill_face(u[c], rule, plane, at.cell, at.step, fluid->ghost_weights[d][side], &source);
@@ -424,7 +426,7 @@ static void velocity_rows(void *context, size_t from, size_t to)
 	}
 }
 
-/* The flow beside a place decides there (find_leaving_beside). */
+/* The flow beside a place decides there (find_part_kept). */
 bool ts_fluid_leans_on_images(const struct ts_fluid *fluid, int d)
 {
 	const struct ts_grid *grid = &fluid->grid;
