@@ -25,6 +25,13 @@ static double energy_of_pair(const struct tsim *sim, const struct ts_pair *pair,
 				  width ? ts_contact_history(list, r) : NULL);
 }
 
+double ts_contact_energy_of_row(const struct tsim *sim, size_t r)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+
+	return pair ? energy_of_pair(sim, pair->state, r) : 0;
+}
+
 static double energy_of_contacts(const struct tsim *sim, size_t i)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;

@@ -104,6 +104,8 @@ compute who all property/local patom1 patom2 ptype1 ptype2
 compute near all property/local natom1
 compute how all pair/local dist force fx fy fz dx dy dz cutoff radius
 compute few low pair/local dist
+compute held all pair/local eng p1 p2 p3 p4
+compute holds all reduce sum c_held[1] c_held[5]
 compute who1 all reduce sum c_who[1] c_who[2] c_who[3] c_who[4]
 compute sum all reduce sum c_how[1] c_how[2] c_how[3] c_how[5] c_how[6] c_how[8] inputs local
 compute min all reduce min c_how[6] c_who[1] c_how[2] replace 2 1 replace 3 1
@@ -124,7 +126,9 @@ print \"is dz \$(c_sum[6]) -0.01\"
 print \"is least \$(c_min[1]) -0.2\"
 print \"is of \$(c_min[2]) 2\"
 print \"is its_force \$(c_min[3]) \$(2385*0.02)\"
-print \"is in_group \$(c_n) \$(v_r^2+0.04)\""
+print \"is in_group \$(c_n) \$(v_r^2+0.04)\"
+print \"is energy \$(c_holds[1]) \$(2385/2*((0.22-v_r)^2+0.02^2+0.1^2))\"
+print \"is without_friction \$(c_holds[2]<1e-12) 1\""
 agree 'pairs as LIGGGHTS lists them' "$six
 set atom 1 vy 0.2
 set atom 5 vz 0.7
@@ -271,7 +275,7 @@ compute c all property/local patom1 natom2" "'patom1' and 'natom2' are of differ
 rejects "$six
 compute c all property/local patom3" "did you mean 'patom1'?"
 rejects "$six
-compute c all pair/local eng" "unknown quantity 'eng'"
+compute c all pair/local energy" "unknown quantity 'energy'"
 rejects "$six
 compute c all pair/gran/local heatFlux" 'no heat flows without a fix heat/gran'
 rejects "$six

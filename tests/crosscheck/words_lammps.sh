@@ -100,4 +100,31 @@ paste -d' ' theirs.rows ours.rows | awk '
 	  } }
 	END { print count " numbers"; exit bad || count != 10 * 23 + 13 }' >difference
 report 'the same numbers' $? difference
+
+# Forces of contacts along the surfaces, by compute pair/local: as magnitudes, since programs name the partners in either order.
+# Without dashpots, as LAMMPS computes these forces anew with the velocities at the end of the step.
+sed -e '/^compute all all temp/,$d; /^neigh_modify/d' -e 's|^pair_style.*|pair_style gran/hooke/history 1000 NULL 0 0 0.4 0|' in.both >in.local
+cat >>in.local <<'END'
+velocity all scale 3.0
+compute sides all pair/local dist force p1 p2 p3 p4 cutoff radius
+compute most all reduce max c_sides[1] c_sides[2] c_sides[6]
+compute squares all reduce sumsq c_sides[3] c_sides[4] c_sides[5] c_sides[6]
+thermo_style custom step c_most[1] c_most[2] c_most[3] c_squares[1] c_squares[2] c_squares[3] c_squares[4]
+thermo_modify norm no format float %.15g
+thermo 20
+run 140
+END
+lmp -in in.local -log none >theirs 2>&1
+report 'lmp runs in.local' $? theirs
+"$TSIM" -legacy lammps -in in.local -log none >ours 2>&1
+report 'tsim runs in.local' $? ours
+paste -d' ' <(grep -E '^ +[0-9]+ +[-+0-9.e ]+$' theirs) <(grep -E '^ +[0-9]+ +[-+0-9.e ]+$' ours) | awk '
+	{ for (k = 2; k <= 8; k++) {
+		d = $k - $(k + 8)
+		if (d < 0) d = -d
+		if (!(d <= 1e-9 * $k + 1e-12)) { print "row " NR " column " k ": " $k " " $(k + 8); bad = 1 }
+		if ($k > 0) count++
+	  } }
+	END { print count " numbers"; exit bad || NF != 16 || count < 50 }' >difference
+report 'the same forces along the surfaces' $? difference
 finish
