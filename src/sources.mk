@@ -885,6 +885,8 @@ library_sources = \
 	src/io/h5md.h \
 	src/io/h5out.c \
 	src/io/h5out.h \
+	src/io/last_step.c \
+	src/io/last_step.h \
 	src/io/lines.c \
 	src/io/lines.h \
 	src/io/movie.c \

@@ -227,6 +227,7 @@ shell_tests = \
 	tests/region/regions.sh \
 	tests/report/browser.sh \
 	tests/report/report.sh \
+	tests/restart/appended.sh \
 	tests/restart/data_files.sh \
 	tests/restart/data_words.sh \
 	tests/restart/rerun.sh \

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "io/csv.h"
+#include "io/last_step.h"
 
 #include "base/banned.h"
 
@@ -38,8 +39,12 @@ enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim,
 	if (f->overwrite)
 		TS_TRY(ts_textfile_close(&f->out));
 	*titles = !ts_textfile_is_open(&f->out);
-	return *titles ? ts_textfile_open(&f->out, sim, ts_instance_word(self, path), path, f->append != NULL)
-		       : TS_OK;
+	if (!*titles)
+		return TS_OK;
+	TS_TRY(ts_textfile_open(&f->out, sim, ts_instance_word(self, path), path, f->append != NULL));
+	ts_last_step_warn(&f->out, sim, f->blocks && !f->csv ? TS_STEP_BLOCKS : TS_STEP_ROWS,
+			  sim->clock.step);
+	return TS_OK;
 }
 
 void ts_average_file_title(struct ts_average_file *f, int k, const char *usual)

@@ -14,6 +14,7 @@ struct ts_average_file {
 	struct ts_str text;	      /* the current block */
 	char checked[TS_FORMAT_SIZE]; /* `format` after ts_format_check */
 	bool csv;		      /* a table of comma-separated values: io/csv.h */
+	bool blocks; /* otherwise a line with the step, then numbered ones; false: a row for each step */
 };
 #define TS_AVERAGE_FILE_ARGS(T, F)                                                                          \
 	TS_WORD("file", T, F.file, .flags = TS_OPTIONAL | TS_WRITES,                                        \

@@ -54,6 +54,7 @@ enum ts_status ts_chunk_average_init(struct ts_instance *self, struct tsim *sim)
 
 	snprintf(what, sizeof what, "fix %s", self->style->name);
 	TS_TRY(ts_average_init(self, sim, &s->average));
+	s->file.blocks = true;
 	TS_TRY(ts_average_file_init(self, sim, &s->file));
 	if (!s->column)
 		TS_TRY(read_columns(self, sim));

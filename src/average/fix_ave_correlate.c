@@ -2,6 +2,7 @@
 #include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/csv.h"
+#include "io/last_step.h"
 #include "io/textfile.h"
 
 #include <string.h>
@@ -218,6 +219,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 	ts_str_clear(&s->text);
 	if (!ts_textfile_is_open(&s->out)) {
 		TS_TRY(ts_textfile_open(&s->out, sim, ts_instance_word(self, path), path, s->append != NULL));
+		ts_last_step_warn(&s->out, sim, csv ? TS_STEP_ROWS : TS_STEP_BLOCKS, sim->clock.step);
 		if (csv)
 			TS_TRY(begin_table(s, sim));
 		else

@@ -62,6 +62,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	bool first = !s->average.started;
 
 	TS_TRY(ts_average_init(self, sim, &s->average));
+	s->file.blocks = s->mode == VECTOR;
 	TS_TRY(ts_average_file_init(self, sim, &s->file));
 	TS_TRY(ts_ref_list_init(sim, "fix ave/time", &self->arena, s->names,
 				s->mode == VECTOR ? TS_WANT(VECTOR) | TS_WANT_COLUMNS : TS_WANT(SCALAR),

@@ -49,6 +49,7 @@ enum ts_status ts_histogram_init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, &self->where, "%s: lo must be less than hi", what);
 	h->average.totals = h->average.extremes = true;
 	TS_TRY(ts_average_init(self, sim, &h->average));
+	h->file.blocks = true;
 	TS_TRY(ts_average_file_init(self, sim, &h->file));
 	TS_TRY(ts_ref_list_init(sim, what, &self->arena, h->words, shapes_of(h), &h->input));
 	/* without `mode` and `kind`, styles that have a scalar output are read as scalars */

@@ -3,6 +3,7 @@
 
 #include "bond/bonds.h"
 #include "io/csv.h"
+#include "io/last_step.h"
 
 #include "base/banned.h"
 
@@ -63,6 +64,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	if (ts_textfile_is_open(&s->file) || !s->path || sim->reading.explain)
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, s->written > 0));
+	ts_last_step_warn(&s->file, sim, TS_STEP_ROWS, sim->clock.step + 1);
 	if (ts_csv_is(s->path))
 		return begin_table(s, sim);
 	if (!s->written)

@@ -83,7 +83,8 @@ static void set_defaults(struct tsim *sim)
 		sim->grain = 8192;
 	sim->columns = 0;
 	sim->run.fingerprint = 0;
-	sim->reading.planned = sim->reading.open_clock = sim->has_box = sim->run.box_moves = false;
+	sim->reading.planned = sim->reading.open_clock = sim->has_box = sim->continued = sim->run.box_moves =
+		false;
 	sim->groups = (struct ts_groups){ .name = { "all" } };
 	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
 	sim->run.inside = sim->run.rebuild = sim->run.relist = sim->run.in_setup = sim->run.resuming =

@@ -36,8 +36,23 @@ static enum ts_status append_action(struct ts_plan *plan, struct tsim *sim, stru
 static enum ts_status append_hooks(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst)
 {
 	for (int stage = 0; stage < TS_NSTAGE; stage++) {
-		if (inst->style->hook[stage])
+		if (inst->style->hook[stage] && !(stage == TS_STAGE_OUTPUT && inst->style->saves_outputs))
 			TS_TRY(append_action(plan, sim, inst, stage, inst->style->hook[stage]));
+	}
+	return TS_OK;
+}
+
+/* Restart files have what the other outputs of the step have left, wherever the script defines them. */
+static enum ts_status append_savers(struct ts_plan *plan, struct tsim *sim)
+{
+	const struct ts_instances *list = &sim->instances[TS_KIND_DUMP];
+
+	for (size_t k = 0; k < list->n; k++) {
+		struct ts_instance *inst = list->item[k];
+
+		if (inst->style->saves_outputs)
+			TS_TRY(append_action(plan, sim, inst, TS_STAGE_OUTPUT,
+					     inst->style->hook[TS_STAGE_OUTPUT]));
 	}
 	return TS_OK;
 }
@@ -127,6 +142,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 			TS_TRY(append_hooks(plan, sim, list->item[i]));
 		}
 	}
+	TS_TRY(append_savers(plan, sim));
 	TS_TRY(ts_written_files_check(sim));
 	if (sim->outside)
 		TS_TRY(append_hooks(plan, sim, sim->outside));

@@ -47,7 +47,7 @@ bool ts_kind_find(const char *name, enum ts_kind *out);
  * computed. Of each step, PRE_EXCHANGE to POST_BUILD are executed if sim->run.rebuild is set (CHECK
  * decides), otherwise FORWARD. Particles are inserted in PRE_EXCHANGE, which the set-up of a run leaves
  * out. Within a stage hooks are called in this order: systems, pair, bond, flow, pressure, automaton, regions, fixes
- * in script order, computes, dumps. */
+ * in script order, computes, dumps; those with `saves_outputs` last. */
 /* clang-format off */
 #define TS_STAGE_LIST(X)                                                                           \
 	X(INITIAL_INTEGRATE)                                                                       \
@@ -184,6 +184,7 @@ struct ts_style {
 	/* TS_DEFERS of the stages in whose hooks loops over particles may stay deferred:
 	 * core/deferred_loops.h */
 	unsigned defers;
+	bool saves_outputs; /* dumps: its OUTPUT comes last, after that of all others */
 	/* Fixes: observes each step from INITIAL_INTEGRATE to END_OF_STEP: called when a stage begins and
 	 * after each hook of another style (sim->acted). It changes nothing. */
 	ts_hook_fn *watch;

@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "io/csv.h"
 #include "io/decimal.h"
+#include "io/last_step.h"
 #include "io/series.h"
 
 #include "base/banned.h"
@@ -70,8 +71,10 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 	if (one_file_per_frame(d))
 		return ts_textfile_open_whole(&d->out, sim, ts_instance_word(self, d->file),
 					      ts_str_text(&d->path));
-	return ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),
-				d->append);
+	TS_TRY(ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),
+				d->append));
+	ts_last_step_warn(&d->out, sim, ts_csv_is(d->file) ? TS_STEP_ROWS : TS_STEP_FRAMES, sim->clock.step);
+	return TS_OK;
 }
 
 /* By all digits, so that rerun and read_dump get the same box; LIGGGHTS writes six. */

@@ -92,9 +92,9 @@ const struct ts_style ts_dump_restart = {
 	.due = ts_dump_may_be_due,
 	.names = ts_dump_names,
 	.summary = "Writes restart files every N steps",
-	.doc = "Writes a restart file every N steps, as write_restart does. Define it after all other dumps: "
-	       "the file then contains which frames they have written, and a continued run does not write a "
-	       "frame twice.",
+	.doc = "Writes a restart file every N steps, as write_restart does, after all other outputs of the "
+	       "step: it contains which frames they have written, and a continued run does not write a frame "
+	       "twice.",
 	.example = "dump save all restart 10000 a.restart b.restart",
 	.args = args,
 	.state_size = sizeof(struct state),
@@ -103,5 +103,6 @@ const struct ts_style ts_dump_restart = {
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.defers = TS_DEFERS(OUTPUT),
+	.saves_outputs = true,
 	.fini = ts_dump_fini,
 };

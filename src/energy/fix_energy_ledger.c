@@ -4,6 +4,7 @@
 #include "core/report.h"
 #include "energy/ledger.h"
 #include "io/csv.h"
+#include "io/last_step.h"
 #include "wall/wall.h"
 
 #include "base/banned.h"
@@ -202,6 +203,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	if (!path || ts_textfile_is_open(&s->file))
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, path), path, s->append != NULL));
+	ts_last_step_warn(&s->file, sim, TS_STEP_ROWS, sim->clock.step);
 	if (ts_csv_is(path))
 		return begin_table(s, sim);
 	TS_TRY(ts_textfile_printf(&s->file, "# step time"));

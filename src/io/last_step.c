@@ -10,7 +10,7 @@
 
 #include "base/banned.h"
 
-/* Bytes at the end of a file in which its last step is looked for, one after the other: blocks and frames may be long. */
+/* Bytes at the end of a file in which its last step is looked for, one after the other: frames may be long. */
 static const int64_t tails[] = { 1 << 16, 1 << 20, 1 << 24, 1 << 28 };
 
 /* The whole number that the line begins with, behind blanks; -1: none. */
@@ -105,8 +105,7 @@ void ts_last_step_warn(const struct ts_textfile *file, struct tsim *sim, enum ts
 	last = find_last(file, form);
 	if (last >= first)
 		ts_warn(&sim->log, &file->where,
-			"'%s' has %s up to step %" PRId64
-			" already, as of a run that went on behind its restart "
-			"file: those from step %" PRId64 " on will be there twice",
+			"'%s' has %s up to step %" PRId64 " already, as of a run that went on behind its "
+			"restart file: those from step %" PRId64 " on will be there twice",
 			file->path, form == TS_STEP_FRAMES ? "frames" : "rows", last, first);
 }

@@ -94,10 +94,13 @@ const struct ts_command_style ts_command_restart = {
 		.ranks = TS_RANKS_FORMULAS,
 		.summary = "Writes restart files every N steps during runs",
 		.doc = "Defines a dump of style restart with the ID restart, or restart2 with two names, which "
-		       "writes its files after the dumps defined before it. A second line with as many names "
+		       "writes its files after all other outputs of the step. A second line with as many names "
 		       "replaces the first one; `restart 0` ends both. Files are written under a temporary name and renamed, so "
 		       "that a file is complete at any time. To write the same file repeatedly use dump style "
-		       "restart.",
+		       "restart.\n\n"
+		       "A run that was killed has often gone on behind its last restart file. Rows and frames of these steps are "
+		       "written again by the continued run: where it appends to a file that has them, a warning says so; "
+		       "dump h5md replaces them.",
 		.example = "restart 10000 a.restart b.restart\n"
 			   "restart 50000 post/rock.*.restart\n"
 			   "restart 0",

@@ -484,6 +484,7 @@ static enum ts_status restore_all(struct ts_sections *r)
 	}
 	if (!ts_sim_has_box(r->sim))
 		return ts_sections_refuse(r, "is damaged: it has no simulation box");
+	r->sim->continued = true;
 	return ts_unclaimed_apply_earlier(r->sim);
 }
 

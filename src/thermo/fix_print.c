@@ -2,6 +2,7 @@
 #include "core/report.h"
 #include "core/sim.h"
 #include "io/csv.h"
+#include "io/last_step.h"
 
 #include <string.h>
 
@@ -157,7 +158,8 @@ static enum ts_status check_title(struct ts_instance *self, struct tsim *sim)
 		       names, parts);
 }
 
-static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
+/* `line`: the first one to be written. */
+static enum ts_status open_file(struct ts_instance *self, struct tsim *sim, const char *line)
 {
 	struct state *s = self->state;
 	const char *path = s->file ? s->file : s->append;
@@ -165,6 +167,8 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	if (!path || ts_textfile_is_open(&s->out))
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->out, sim, ts_instance_word(self, path), path, s->append != NULL));
+	if (ts_last_step_begins(line, sim->clock.step))
+		ts_last_step_warn(&s->out, sim, TS_STEP_ROWS, sim->clock.step);
 	if (is_table(s))
 		return begin_table(self, sim);
 	if (!s->title)
@@ -192,7 +196,7 @@ static enum ts_status write_line(struct ts_instance *self, struct tsim *sim, str
 	TS_TRY(make_line(self, sim, row));
 	if (s->screen)
 		ts_log(&sim->log, "%s\n", ts_str_text(&s->line));
-	TS_TRY(open_file(self, sim));
+	TS_TRY(open_file(self, sim, ts_str_text(is_table(s) ? row : &s->line)));
 	if (!ts_textfile_is_open(&s->out))
 		return TS_OK;
 	if (is_table(s))
