@@ -225,7 +225,7 @@ struct tsim {
 	bool units_given; /* by the command `units` */
 	int dimension;	  /* 2 or 3 */
 	bool has_box;	  /* there is a simulation box; set by the domain */
-	bool continued;	  /* the simulation has begun with a restart file */
+	bool continued;	  /* from a restart file, whose steps it goes on counting */
 	/* commands of these names: Young's moduli above or below the usual range are intended */
 	bool hard_particles, soft_particles;
 	/* `newton on`, `communicate ... vel no`: no effect, but pair gran refuses them */

@@ -32,10 +32,8 @@ static enum ts_status refuse_ordered_files(struct tsim *sim, int64_t step, const
 		if (d->in_order && d->frames && step <= d->last)
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "dump %s (%s:%d): frames of its file are in the order of their steps, "
-				       "and "
-				       "that of step %lld would replace those from there on: undump it "
-				       "before "
-				       "reset_timestep, and write to another file",
+				       "and that of step %lld would replace those from there on: undump it "
+				       "before reset_timestep, and write to another file",
 				       dumps->item[k]->id, TS_FILE_AND_LINE(dumps->item[k]->where),
 				       (long long)step);
 	}
@@ -74,6 +72,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	TS_TRY(refuse_ordered_files(sim, s->step, where));
 	if (s->step != sim->clock.step) {
 		clear_last_frames(sim);
+		sim->continued =
+			false; /* its steps are no longer those of the run that wrote the restart file */
 		sim->bonds->past_events = sim->bonds->nevents;
 		sim->thermo->counted = 0;
 	}

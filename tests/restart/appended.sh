@@ -89,6 +89,10 @@ cp kept/* .
 runs in.again -threads 2
 [ "$(grep -c 'already, as of a run' said)" = "$(wc -w <<<"$files")" ]
 report 'a warning for each file' $? said
+# steps that are counted anew
+sed 's/^include/reset_timestep 0\n&/' in.again >in.anew
+runs in.anew
+silent 'steps that are counted anew'
 # the file was removed, or another one is written: nothing is there twice
 rm -f -- *.txt *.csv *.xyz
 runs in.again
