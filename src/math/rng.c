@@ -66,20 +66,24 @@ double ts_rng_uniform(struct ts_rng *rng)
 	return to_open_unit_interval(bits[0]);
 }
 
-TS_CLONES void ts_rng_uniform_of_streams(uint64_t seed, uint64_t counter, const int32_t stream[], size_t n,
-					 double out[])
+TS_CLONES static void draw_of_streams(uint64_t seed, uint64_t counter, const int32_t stream[], size_t n,
+				      double out[])
 {
-	const uint32_t key[2] = { (uint32_t)seed, (uint32_t)(seed >> 32) };
-
 #pragma omp simd
 	for (size_t i = 0; i < n; i++) {
 		const uint64_t s = (uint64_t)stream[i];
 		uint32_t w0 = (uint32_t)counter, w1 = (uint32_t)(counter >> 32), w2 = (uint32_t)s,
 			 w3 = (uint32_t)(s >> 32);
 
-		philox(&w0, &w1, &w2, &w3, key[0], key[1]);
+		philox(&w0, &w1, &w2, &w3, (uint32_t)seed, (uint32_t)(seed >> 32));
 		out[i] = to_open_unit_interval((uint64_t)w1 << 32 | w0);
 	}
+}
+
+void ts_rng_uniform_of_streams(uint64_t seed, uint64_t counter, const int32_t stream[], size_t n,
+			       double out[])
+{
+	draw_of_streams(seed, counter, stream, n, out);
 }
 
 double ts_rng_normal(struct ts_rng *rng)

@@ -115,16 +115,16 @@ TS_INLINE void multiply_by_mass(const struct tsim *sim, size_t from, size_t n, d
 			term[d][i] *= m[i];
 }
 
-TS_CLONES void ts_mass_moment_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
-				    double (*term)[TS_TERM_BLOCK])
+void ts_mass_moment_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
+			  double (*term)[TS_TERM_BLOCK])
 {
 	(void)context;
 	places(sim, from, n, term);
 	multiply_by_mass(sim, from, n, term);
 }
 
-TS_CLONES void ts_mass_momentum_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
-				      double (*term)[TS_TERM_BLOCK])
+void ts_mass_momentum_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
+			    double (*term)[TS_TERM_BLOCK])
 {
 	(void)context;
 	velocities(sim, from, n, term);
@@ -145,30 +145,31 @@ static void add_shares(const struct tsim *sim, size_t from, size_t n, size_t wid
 	}
 }
 
-TS_CLONES void ts_mass_angular_momentum_terms(const struct tsim *sim, size_t from, size_t n,
-					      const void *centre, double (*term)[TS_TERM_BLOCK])
+TS_CLONES static void angular_momenta(const double *m, size_t n, double (*d)[TS_TERM_BLOCK],
+				      double (*v)[TS_TERM_BLOCK], double (*term)[TS_TERM_BLOCK])
 {
-	const double *m = sim->particles->mass + from;
-	double d[3][TS_TERM_BLOCK], v[3][TS_TERM_BLOCK];
-
-	arms(sim, from, n, centre, d);
-	velocities(sim, from, n, v);
 	for (int k = 0; k < 3; k++) {
 		const int a = (k + 1) % 3, b = (k + 2) % 3;
 
 		for (size_t i = 0; i < n; i++)
 			term[k][i] = m[i] * (d[a][i] * v[b][i] - d[b][i] * v[a][i]);
 	}
+}
+
+void ts_mass_angular_momentum_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+				    double (*term)[TS_TERM_BLOCK])
+{
+	double d[3][TS_TERM_BLOCK], v[3][TS_TERM_BLOCK];
+
+	arms(sim, from, n, centre, d);
+	velocities(sim, from, n, v);
+	angular_momenta(sim->particles->mass + from, n, d, v, term);
 	add_shares(sim, from, n, 3, ts_rigid_share_spin, term);
 }
 
-TS_CLONES void ts_mass_inertia_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
-				     double (*term)[TS_TERM_BLOCK])
+TS_CLONES static void inertias(const double *m, size_t n, double (*d)[TS_TERM_BLOCK],
+			       double (*term)[TS_TERM_BLOCK])
 {
-	const double *m = sim->particles->mass + from;
-	double d[3][TS_TERM_BLOCK];
-
-	arms(sim, from, n, centre, d);
 	for (size_t i = 0; i < n; i++) {
 		double x = d[0][i], y = d[1][i], z = d[2][i];
 
@@ -179,5 +180,14 @@ TS_CLONES void ts_mass_inertia_terms(const struct tsim *sim, size_t from, size_t
 		term[4][i] = -m[i] * x * z;
 		term[5][i] = -m[i] * y * z;
 	}
+}
+
+void ts_mass_inertia_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			   double (*term)[TS_TERM_BLOCK])
+{
+	double d[3][TS_TERM_BLOCK];
+
+	arms(sim, from, n, centre, d);
+	inertias(sim->particles->mass + from, n, d, term);
 	add_shares(sim, from, n, 6, ts_rigid_share_inertia, term);
 }
