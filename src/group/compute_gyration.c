@@ -4,14 +4,16 @@
 #include "rigid/mass_moments.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/banned.h"
 
 /* Terms m (x_a - c_a) (x_b - c_b), and m. */
-static void second_moment_terms(const struct tsim *sim, size_t i, const void *context, double *term)
+static void second_moment_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+				double (*term)[TS_TERM_BLOCK])
 {
-	ts_mass_second_moment(sim, i, context, term);
-	term[6] = sim->particles->mass[i];
+	ts_mass_second_moment_terms(sim, from, n, centre, term);
+	memcpy(term[6], sim->particles->mass + from, n * sizeof *term[6]);
 }
 
 static void gyration_tensor(const struct ts_instance *self, const struct tsim *sim, double out[6])
@@ -19,7 +21,7 @@ static void gyration_tensor(const struct ts_instance *self, const struct tsim *s
 	double centre[3], sum[7];
 
 	ts_group_centre(sim, self->group, centre);
-	ts_group_sum(sim, self->group, 7, second_moment_terms, centre, sum);
+	ts_group_sum_blocks(sim, self->group, 7, second_moment_terms, centre, sum);
 	for (int k = 0; k < 6; k++)
 		out[k] = sum[6] > 0 ? sum[k] / sum[6] : 0;
 }

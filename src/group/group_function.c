@@ -3,12 +3,12 @@
 #include "group/group_function.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/axes.h"
 #include "group/group_dynamic.h"
 #include "group/kinetic_energy.h"
 #include "material/property.h"
-#include "math/exactsum.h"
 #include "math/vec3.h"
 #include "particle/group_moments.h"
 #include "region/region.h"
@@ -25,23 +25,42 @@ struct selection {
 	double mass, centre[3];
 };
 
-typedef double term_fn(const struct selection *c, size_t i, int a, int b);
+/* Terms of blocks of particles (ts_group_sum_blocks), about the centre of the selection where they are about a point. */
+struct summand {
+	ts_terms_fn *terms;
+	size_t width;
+};
 
 static bool is_selected(const struct selection *c, size_t i)
 {
 	return ts_in_group(c->p, i, c->group) && (!c->region || ts_region_contains(c->region, c->p->x[i]));
 }
 
-/* Sum of a term; exact and rounded once, so it does not depend on the order of particles. a, b:
- * components. */
-static double sum_terms(const struct selection *c, term_fn *term, int a, int b)
-{
-	struct ts_exactsum sum = { 0 };
+struct in_region {
+	const struct selection *c;
+	const struct summand *summand;
+};
 
-	for (size_t i = 0; i < c->p->n; i++)
-		if (is_selected(c, i))
-			ts_exactsum_add(&sum, term(c, i, a, b));
-	return ts_exactsum_value(&sum);
+static void terms_in_region(const struct tsim *sim, size_t from, size_t n, const void *context,
+			    double (*term)[TS_TERM_BLOCK])
+{
+	const struct in_region *in = context;
+
+	in->summand->terms(sim, from, n, in->c->centre, term);
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < in->summand->width && !is_selected(in->c, from + i); k++)
+			term[k][i] = 0;
+}
+
+/* Sums of terms; exact and rounded once, so they do not depend on the order of particles. */
+static void sum_terms(const struct selection *c, const struct summand *summand, double *out)
+{
+	const struct in_region in = { c, summand };
+
+	if (c->region)
+		ts_group_sum_blocks(c->sim, c->group, summand->width, terms_in_region, &in, out);
+	else
+		ts_group_sum_blocks(c->sim, c->group, summand->width, summand->terms, c->centre, out);
 }
 
 static enum ts_status read_region(struct selection *c, const struct ts_word *name)
@@ -62,84 +81,59 @@ static enum ts_status read_group(struct tsim *sim, struct ts_words args, size_t 
 	return args.n == most ? read_region(c, &args.word[most - 1]) : TS_OK;
 }
 
-static double count_term(const struct selection *c, size_t i, int a, int b)
+static void count_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			double (*term)[TS_TERM_BLOCK])
 {
-	(void)c, (void)i, (void)a, (void)b;
-	return 1;
+	(void)sim, (void)from, (void)centre;
+	for (size_t i = 0; i < n; i++)
+		term[0][i] = 1;
 }
 
-static double mass_term(const struct selection *c, size_t i, int a, int b)
+static void mass_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+		       double (*term)[TS_TERM_BLOCK])
 {
-	(void)a, (void)b;
-	return c->p->mass[i];
+	(void)centre;
+	memcpy(term[0], sim->particles->mass + from, n * sizeof *term[0]);
 }
 
-static double mass_position_term(const struct selection *c, size_t i, int a, int b)
+static void force_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			double (*term)[TS_TERM_BLOCK])
 {
-	double term[4];
-
-	(void)b;
-	ts_mass_moment(c->sim, i, term);
-	return term[a];
+	(void)centre;
+	for (size_t i = 0; i < n; i++)
+		for (int d = 0; d < 3; d++)
+			term[d][i] = sim->particles->f[from + i][d];
 }
 
-static double momentum_term(const struct selection *c, size_t i, int a, int b)
+static void mass_r2_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			  double (*term)[TS_TERM_BLOCK])
 {
-	double term[4];
-
-	(void)b;
-	ts_mass_momentum(c->sim, i, term);
-	return term[a];
+	ts_mass_second_moment_terms(sim, from, n, centre, term);
+	for (size_t i = 0; i < n; i++)
+		term[0][i] = term[0][i] + term[1][i] + term[2][i];
 }
 
-static double kinetic_energy_term(const struct selection *c, size_t i, int a, int b)
+static void torque_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			 double (*term)[TS_TERM_BLOCK])
 {
-	(void)a, (void)b;
-	return ts_kinetic_energy(c->sim, i);
+	for (size_t i = 0; i < n; i++) {
+		double d[3];
+
+		ts_unwrapped(sim, from + i, d);
+		ts_sub(d, centre, d);
+		ts_cross(d, sim->particles->f[from + i], d);
+		for (int k = 0; k < 3; k++)
+			term[k][i] = d[k];
+	}
 }
 
-static double force_term(const struct selection *c, size_t i, int a, int b)
-{
-	(void)b;
-	return c->p->f[i][a];
-}
-
-static double mass_r2_term(const struct selection *c, size_t i, int a, int b)
-{
-	double term[6];
-
-	(void)a, (void)b;
-	ts_mass_second_moment(c->sim, i, c->centre, term);
-	return term[0] + term[1] + term[2];
-}
-
-static double inertia_term(const struct selection *c, size_t i, int a, int b)
-{
-	double term[6];
-
-	ts_mass_inertia(c->sim, i, c->centre, term);
-	return term[a == b ? a : a + b + 2];
-}
-
-static double angular_momentum_term(const struct selection *c, size_t i, int a, int b)
-{
-	double term[3];
-
-	(void)b;
-	ts_mass_angular_momentum(c->sim, i, c->centre, term);
-	return term[a];
-}
-
-static double torque_term(const struct selection *c, size_t i, int a, int b)
-{
-	double d[3];
-
-	(void)b;
-	ts_unwrapped(c->sim, i, d);
-	ts_sub(d, c->centre, d);
-	ts_cross(d, c->p->f[i], d);
-	return d[a];
-}
+static const struct summand number = { count_terms, 1 }, mass = { mass_terms, 1 },
+			    kinetic_energy = { ts_kinetic_energy_terms, 1 },
+			    mass_position = { ts_mass_moment_terms, 4 },
+			    momentum = { ts_mass_momentum_terms, 4 }, force = { force_terms, 3 },
+			    mass_r2 = { mass_r2_terms, 1 }, inertia = { ts_mass_inertia_terms, 6 },
+			    angular_momentum = { ts_mass_angular_momentum_terms, 3 },
+			    torque = { torque_terms, 3 };
 
 /* A run must not end because an output finds nobody: the value is that of LAMMPS and LIGGGHTS, and is warned of once. */
 static void warn_empty(struct selection *c, const struct ts_word *name, const char *value)
@@ -153,19 +147,17 @@ static void warn_empty(struct selection *c, const struct ts_word *name, const ch
 		name->text, c->region ? " in that region" : "", value);
 }
 
-static void find_mass(struct selection *c, const struct ts_word *name)
-{
-	c->mass = sum_terms(c, mass_term, 0, 0);
-	if (!(c->mass > 0))
-		warn_empty(c, name, "0");
-}
-
 /* The centre of no particles is 0. */
 static void find_centre(struct selection *c, const struct ts_word *name)
 {
-	find_mass(c, name);
+	double sum[4];
+
+	sum_terms(c, &mass_position, sum);
+	c->mass = sum[3];
+	if (!(c->mass > 0))
+		warn_empty(c, name, "0");
 	for (int k = 0; k < 3; k++)
-		c->centre[k] = c->mass > 0 ? sum_terms(c, mass_position_term, k, 0) / c->mass : 0;
+		c->centre[k] = c->mass > 0 ? sum[k] / c->mass : 0;
 }
 
 /* *out: index of the word, such as "x" or "yz", in a list of names. */
@@ -183,34 +175,36 @@ static enum ts_status read_dim(struct tsim *sim, const struct ts_word *word, int
 	return find_name(sim, word, ts_axis_names, "x, y or z", dim);
 }
 
-static enum ts_status eval_sum(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
+static enum ts_status eval_sum(struct tsim *sim, struct ts_words args, const struct summand *summand,
+			       double *out)
 {
 	struct selection c;
 
 	TS_TRY(read_group(sim, args, 2, &c));
-	*out = sum_terms(&c, term, 0, 0);
+	sum_terms(&c, summand, out);
 	return TS_OK;
 }
 
 static enum ts_status eval_count(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_sum(sim, args, count_term, out);
+	return eval_sum(sim, args, &number, out);
 }
 
 static enum ts_status eval_mass(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_sum(sim, args, mass_term, out);
+	return eval_sum(sim, args, &mass, out);
 }
 
 static enum ts_status eval_ke(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_sum(sim, args, kinetic_energy_term, out);
+	return eval_sum(sim, args, &kinetic_energy, out);
 }
 
 /* (group,dim[,region]); about: terms are relative to the centre of mass. */
-static enum ts_status eval_component(struct tsim *sim, struct ts_words args, term_fn *term, bool about,
-				     double *out)
+static enum ts_status eval_component(struct tsim *sim, struct ts_words args, const struct summand *summand,
+				     bool about, double *out)
 {
+	double sum[TS_MOST_TERMS];
 	struct selection c;
 	int dim;
 
@@ -218,67 +212,76 @@ static enum ts_status eval_component(struct tsim *sim, struct ts_words args, ter
 	TS_TRY(read_dim(sim, &args.word[1], &dim));
 	if (about)
 		find_centre(&c, &args.word[0]);
-	*out = sum_terms(&c, term, dim, 0);
+	sum_terms(&c, summand, sum);
+	*out = sum[dim];
 	return TS_OK;
 }
 
-static enum ts_status eval_per_mass(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
+/* A component by the mass, the fourth term. */
+static enum ts_status eval_per_mass(struct tsim *sim, struct ts_words args, const struct summand *summand,
+				    double *out)
 {
 	struct selection c;
+	double sum[4];
+	int dim;
 
-	TS_TRY(eval_component(sim, args, term, false, out));
 	TS_TRY(read_group(sim, args, 3, &c));
-	find_mass(&c, &args.word[0]);
-	*out = c.mass > 0 ? *out / c.mass : 0;
+	TS_TRY(read_dim(sim, &args.word[1], &dim));
+	sum_terms(&c, summand, sum);
+	if (!(sum[3] > 0))
+		warn_empty(&c, &args.word[0], "0");
+	*out = sum[3] > 0 ? sum[dim] / sum[3] : 0;
 	return TS_OK;
 }
 
 static enum ts_status eval_xcm(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_per_mass(sim, args, mass_position_term, out);
+	return eval_per_mass(sim, args, &mass_position, out);
 }
 
 static enum ts_status eval_vcm(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_per_mass(sim, args, momentum_term, out);
+	return eval_per_mass(sim, args, &momentum, out);
 }
 
 static enum ts_status eval_fcm(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_component(sim, args, force_term, false, out);
+	return eval_component(sim, args, &force, false, out);
 }
 
 static enum ts_status eval_angmom(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_component(sim, args, angular_momentum_term, true, out);
+	return eval_component(sim, args, &angular_momentum, true, out);
 }
 
 static enum ts_status eval_torque(struct tsim *sim, struct ts_words args, double *out)
 {
-	return eval_component(sim, args, torque_term, true, out);
+	return eval_component(sim, args, &torque, true, out);
 }
 
 static enum ts_status eval_gyration(struct tsim *sim, struct ts_words args, double *out)
 {
 	struct selection c;
+	double sum;
 
 	TS_TRY(read_group(sim, args, 2, &c));
 	find_centre(&c, &args.word[0]);
-	*out = c.mass > 0 ? sqrt(sum_terms(&c, mass_r2_term, 0, 0) / c.mass) : 0;
+	sum_terms(&c, &mass_r2, &sum);
+	*out = c.mass > 0 ? sqrt(sum / c.mass) : 0;
 	return TS_OK;
 }
 
 static enum ts_status eval_inertia(struct tsim *sim, struct ts_words args, double *out)
 {
-	static const char *const names[] = { "xx", "yy", "zz", "xy", "yz", "xz", NULL };
-	static const int first[] = { 0, 1, 2, 0, 1, 0 }, second[] = { 0, 1, 2, 1, 2, 2 };
+	double sum[6];
 	struct selection c;
 	int k;
 
 	TS_TRY(read_group(sim, args, 3, &c));
-	TS_TRY(find_name(sim, &args.word[1], names, "xx, yy, zz, xy, yz or xz", &k));
+	TS_TRY(find_name(sim, &args.word[1], ts_tensor_names, "xx, yy, zz, xy, yz or xz", &k));
 	find_centre(&c, &args.word[0]);
-	*out = sum_terms(&c, inertia_term, first[k], second[k]);
+	sum_terms(&c, &inertia, sum);
+	*out = sum[k];
 	return TS_OK;
 }
 
@@ -297,7 +300,7 @@ static double determinant(double m[3][3])
 /* Solves I omega = L by Cramer's rule. */
 static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double *out)
 {
-	double tensor[3][3], whole, trace;
+	double tensor[3][3], sum[6], whole, trace;
 	struct selection c;
 	int dim;
 
@@ -307,9 +310,12 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 	*out = 0;
 	if (!(c.mass > 0))
 		return TS_OK;
-	for (int a = 0; a < 3; a++)
-		for (int b = 0; b < 3; b++)
-			tensor[a][b] = sum_terms(&c, inertia_term, a, b);
+	sum_terms(&c, &inertia, sum);
+	for (int k = 0; k < 6; k++) {
+		const int a = ts_tensor_row[k], b = ts_tensor_column[k];
+
+		tensor[a][b] = tensor[b][a] = sum[k];
+	}
 	whole = determinant(tensor);
 	trace = tensor[0][0] + tensor[1][1] + tensor[2][2];
 	if (!(whole > 1e-12 * trace * trace * trace))
@@ -317,8 +323,9 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 			       "the particles of group '%s' lie on one line: the angular velocity about it "
 			       "is not defined",
 			       args.word[0].text);
+	sum_terms(&c, &angular_momentum, sum);
 	for (int a = 0; a < 3; a++)
-		tensor[a][dim] = sum_terms(&c, angular_momentum_term, a, 0);
+		tensor[a][dim] = sum[a];
 	*out = determinant(tensor) / whole;
 	return TS_OK;
 }

@@ -1,8 +1,6 @@
 #include "group/kinetic_energy.h"
 
-#include "base/clones.h"
 #include "math/vec3.h"
-#include "particle/group_moments.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid_share.h"
 
@@ -25,16 +23,15 @@ double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i)
 	return 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
 }
 
-/* Without bodies the loops are vectorised. */
-TS_CLONES static void kinetic_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
-				    double (*term)[TS_TERM_BLOCK])
+void ts_kinetic_energy_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
+			     double (*term)[TS_TERM_BLOCK])
 {
 	const double *m = sim->particles->mass + from;
 	const double(*v)[3] = (const double(*)[3])sim->particles->v + from;
 
 	(void)context;
 	for (size_t i = 0; i < n && !sim->rigid->n; i++)
-		term[0][i] = 0.5 * m[i] * (v[i][0] * v[i][0] + v[i][1] * v[i][1] + v[i][2] * v[i][2]);
+		term[0][i] = 0.5 * m[i] * ts_dot(v[i], v[i]);
 	for (size_t i = 0; i < n && sim->rigid->n; i++)
 		term[0][i] = ts_kinetic_energy(sim, from + i);
 }
@@ -59,7 +56,7 @@ double ts_group_kinetic_energy(const struct tsim *sim, int group)
 {
 	double sum;
 
-	ts_group_sum_blocks(sim, group, 1, kinetic_terms, NULL, &sum);
+	ts_group_sum_blocks(sim, group, 1, ts_kinetic_energy_terms, NULL, &sum);
 	return sum;
 }
 

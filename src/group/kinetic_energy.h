@@ -5,10 +5,14 @@
 #define TS_GROUP_KINETIC_ENERGY_H
 
 #include "core/sim.h"
+#include "particle/group_moments.h"
 
 /* Translational energy m v^2 / 2 and rotational energy I omega^2 / 2 of particle i. */
 double ts_kinetic_energy(const struct tsim *sim, size_t i);
 double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i);
+
+/* The first for ts_group_sum_blocks; no context. */
+ts_terms_fn ts_kinetic_energy_terms;
 
 /* The sums over the group; exact and rounded once, so they do not depend on the order of particles. */
 double ts_group_kinetic_energy(const struct tsim *sim, int group);

@@ -54,7 +54,7 @@ typedef void ts_term_fn(const struct tsim *sim, size_t i, const void *context, d
 void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, const void *context,
 		  double *out);
 /* The same with a function that writes the terms of the particles from .. from+n-1, in the group or not, to columns: term[k][0]
- * .. term[k][n-1]. */
+ * .. term[k][n-1]. There are TS_MOST_TERMS columns, of which the first `width` are summed. */
 enum { TS_TERM_BLOCK = TS_EXACTSUM_WAITING };
 typedef void ts_terms_fn(const struct tsim *sim, size_t from, size_t n, const void *context,
 			 double (*term)[TS_TERM_BLOCK]);
