@@ -8,52 +8,64 @@
 struct motion {
 	ts_peculiar_velocity *peculiar;
 	const void *flow;
+	int group;
 };
 
-static void kinetic_tensor_terms(const struct tsim *sim, size_t i, const void *context, double *term)
+TS_CLONES static void kinetic_tensors(const double *m, size_t n, double (*u)[TS_TERM_BLOCK],
+				      double (*term)[TS_TERM_BLOCK])
+{
+	for (int k = 0; k < 6; k++) {
+		const double *a = u[ts_tensor_row[k]], *b = u[ts_tensor_column[k]];
+
+		for (size_t i = 0; i < n; i++)
+			term[k][i] = m[i] * a[i] * b[i];
+	}
+	for (size_t i = 0; i < n; i++)
+		term[6][i] = 1;
+}
+
+/* The flow may not be known where others than those of the group are. */
+static void tensors_in_flow(const struct tsim *sim, size_t from, size_t n, const void *context,
+			    double (*term)[TS_TERM_BLOCK])
 {
 	const struct motion *m = context;
-	double u[3];
+	double u[3][TS_TERM_BLOCK], own[3] = { 0 };
 
-	m->peculiar(sim, i, m->flow, u);
-	for (int k = 0; k < 6; k++)
-		term[k] = sim->particles->mass[i] * u[ts_tensor_row[k]] * u[ts_tensor_column[k]];
-	term[6] = 1;
+	for (size_t i = 0; i < n; i++) {
+		if (ts_in_group(sim->particles, from + i, m->group))
+			m->peculiar(sim, from + i, m->flow, own);
+		for (int d = 0; d < 3; d++)
+			u[d][i] = own[d];
+	}
+	kinetic_tensors(sim->particles->mass + from, n, u, term);
 }
 
 void ts_temperature_tensor_in(const struct tsim *sim, int group, ts_peculiar_velocity *peculiar,
 			      const void *flow, double out[7])
 {
-	struct motion motion = { peculiar, flow };
+	struct motion motion = { peculiar, flow, group };
 
-	ts_group_sum(sim, group, 7, kinetic_tensor_terms, &motion, out);
+	ts_group_sum_blocks(sim, group, 7, tensors_in_flow, &motion, out);
 }
 
 /* For velocities less their mean, which the context is. */
-TS_CLONES static void kinetic_tensor_less_mean(const struct tsim *sim, size_t from, size_t n,
-					       const void *context, double (*term)[TS_TERM_BLOCK])
+static void tensors_less_mean(const struct tsim *sim, size_t from, size_t n, const void *context,
+			      double (*term)[TS_TERM_BLOCK])
 {
-	const double(*v)[3] = (const double(*)[3])sim->particles->v + from, *m = sim->particles->mass + from;
-	const double *mean = context;
+	const double(*v)[3] = (const double(*)[3])sim->particles->v + from, *mean = context;
+	double u[3][TS_TERM_BLOCK];
 
-	for (size_t i = 0; i < n; i++) {
-		double x = v[i][0] - mean[0], y = v[i][1] - mean[1], z = v[i][2] - mean[2];
-
-		term[0][i] = m[i] * x * x;
-		term[1][i] = m[i] * y * y;
-		term[2][i] = m[i] * z * z;
-		term[3][i] = m[i] * x * y;
-		term[4][i] = m[i] * x * z;
-		term[5][i] = m[i] * y * z;
-		term[6][i] = 1;
-	}
+	for (size_t i = 0; i < n; i++)
+		for (int d = 0; d < 3; d++)
+			u[d][i] = v[i][d] - mean[d];
+	kinetic_tensors(sim->particles->mass + from, n, u, term);
 }
 
 void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[3], double out[7])
 {
 	static const double zero[3] = { 0 };
 
-	ts_group_sum_blocks(sim, group, 7, kinetic_tensor_less_mean, mean ? mean : zero, out);
+	ts_group_sum_blocks(sim, group, 7, tensors_less_mean, mean ? mean : zero, out);
 }
 
 enum ts_status ts_temperature_write_tensor(const double tensor[7], struct ts_table *out)
