@@ -6,9 +6,23 @@
 
 #include "base/banned.h"
 
+/* Without bodies, in most scenes, nothing is looked up. */
+TS_INLINE void place(const struct tsim *sim, size_t i, double x[3])
+{
+	if (sim->rigid->n)
+		ts_rigid_share_place(sim, i, x);
+	else
+		ts_unwrapped(sim, i, x);
+}
+
+TS_INLINE const double *velocity(const struct tsim *sim, size_t i)
+{
+	return sim->rigid->n ? ts_rigid_share_velocity(sim, i) : sim->particles->v[i];
+}
+
 void ts_mass_moment(const struct tsim *sim, size_t i, double term[4])
 {
-	ts_rigid_share_place(sim, i, term);
+	place(sim, i, term);
 	term[3] = sim->particles->mass[i];
 	ts_scale(term[3], term, term);
 }
@@ -16,12 +30,12 @@ void ts_mass_moment(const struct tsim *sim, size_t i, double term[4])
 void ts_mass_momentum(const struct tsim *sim, size_t i, double term[4])
 {
 	term[3] = sim->particles->mass[i];
-	ts_scale(term[3], ts_rigid_share_velocity(sim, i), term);
+	ts_scale(term[3], velocity(sim, i), term);
 }
 
-static void arm(const struct tsim *sim, size_t i, const double c[3], double d[3])
+TS_INLINE void arm(const struct tsim *sim, size_t i, const double c[3], double d[3])
 {
-	ts_rigid_share_place(sim, i, d);
+	place(sim, i, d);
 	ts_sub(d, c, d);
 }
 
@@ -30,8 +44,10 @@ void ts_mass_angular_momentum(const struct tsim *sim, size_t i, const double c[3
 	double d[3], own[3];
 
 	arm(sim, i, c, d);
-	ts_cross(d, ts_rigid_share_velocity(sim, i), term);
+	ts_cross(d, velocity(sim, i), term);
 	ts_scale(sim->particles->mass[i], term, term);
+	if (!sim->rigid->n)
+		return;
 	ts_rigid_share_spin(sim, i, own);
 	ts_add(term, own, term);
 }
@@ -41,13 +57,15 @@ void ts_mass_inertia(const struct tsim *sim, size_t i, const double c[3], double
 	double d[3], own[6], m = sim->particles->mass[i];
 
 	arm(sim, i, c, d);
-	ts_rigid_share_inertia(sim, i, own);
 	term[0] = m * (d[1] * d[1] + d[2] * d[2]);
 	term[1] = m * (d[0] * d[0] + d[2] * d[2]);
 	term[2] = m * (d[0] * d[0] + d[1] * d[1]);
 	term[3] = -m * d[0] * d[1];
 	term[4] = -m * d[0] * d[2];
 	term[5] = -m * d[1] * d[2];
+	if (!sim->rigid->n)
+		return;
+	ts_rigid_share_inertia(sim, i, own);
 	for (int k = 0; k < 6; k++)
 		term[k] += own[k];
 }
@@ -59,26 +77,25 @@ void ts_mass_second_moment(const struct tsim *sim, size_t i, const double c[3], 
 	double d[3], own[6], m = sim->particles->mass[i];
 
 	arm(sim, i, c, d);
+	for (int k = 0; k < 6; k++)
+		term[k] = m * d[ts_tensor_row[k]] * d[ts_tensor_column[k]];
+	if (!sim->rigid->n)
+		return;
 	ts_rigid_share_inertia(sim, i, own);
 	for (int k = 0; k < 6; k++)
-		term[k] = m * d[ts_tensor_row[k]] * d[ts_tensor_column[k]] - own[k] +
-			  (k < 3 ? (own[0] + own[1] + own[2]) / 2 : 0);
+		term[k] = term[k] - own[k] + (k < 3 ? (own[0] + own[1] + own[2]) / 2 : 0);
 }
 
 /* ---- blocks of particles: loops over columns, which are vectorised */
 
 TS_INLINE void places(const struct tsim *sim, size_t from, size_t n, double x[3][TS_TERM_BLOCK])
 {
-	const bool clumps = sim->rigid->n > 0;
-	double place[3];
+	double own[3];
 
 	for (size_t i = 0; i < n; i++) {
-		if (clumps)
-			ts_rigid_share_place(sim, from + i, place);
-		else
-			ts_unwrapped(sim, from + i, place);
+		place(sim, from + i, own);
 		for (int d = 0; d < 3; d++)
-			x[d][i] = place[d];
+			x[d][i] = own[d];
 	}
 }
 
@@ -93,11 +110,8 @@ TS_INLINE void arms(const struct tsim *sim, size_t from, size_t n, const double 
 
 TS_INLINE void velocities(const struct tsim *sim, size_t from, size_t n, double v[3][TS_TERM_BLOCK])
 {
-	const bool clumps = sim->rigid->n > 0;
-
 	for (size_t i = 0; i < n; i++) {
-		const double *own =
-			clumps ? ts_rigid_share_velocity(sim, from + i) : sim->particles->v[from + i];
+		const double *own = velocity(sim, from + i);
 
 		for (int d = 0; d < 3; d++)
 			v[d][i] = own[d];
