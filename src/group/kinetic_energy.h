@@ -12,7 +12,8 @@ double ts_kinetic_energy(const struct tsim *sim, size_t i);
 double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i);
 
 /* The first for ts_group_sum_blocks; no context. */
-ts_terms_fn ts_kinetic_energy_terms;
+void ts_kinetic_energy_terms(const struct tsim *sim, size_t from, size_t n, const void *context,
+			     double (*term)[TS_TERM_BLOCK]);
 
 /* The sums over the group; exact and rounded once, so they do not depend on the order of particles. */
 double ts_group_kinetic_energy(const struct tsim *sim, int group);

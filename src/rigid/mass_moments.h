@@ -19,10 +19,15 @@ void ts_mass_inertia(const struct tsim *sim, size_t i, const double c[3], double
 void ts_mass_second_moment(const struct tsim *sim, size_t i, const double c[3], double term[6]);
 
 /* The same for blocks of particles in ts_group_sum_blocks; the context is c, where one is needed. */
-ts_terms_fn ts_mass_moment_terms;
-ts_terms_fn ts_mass_momentum_terms;
-ts_terms_fn ts_mass_angular_momentum_terms;
-ts_terms_fn ts_mass_inertia_terms;
-ts_terms_fn ts_mass_second_moment_terms;
+void ts_mass_moment_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			  double (*term)[TS_TERM_BLOCK]);
+void ts_mass_momentum_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			    double (*term)[TS_TERM_BLOCK]);
+void ts_mass_angular_momentum_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+				    double (*term)[TS_TERM_BLOCK]);
+void ts_mass_inertia_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+			   double (*term)[TS_TERM_BLOCK]);
+void ts_mass_second_moment_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
+				 double (*term)[TS_TERM_BLOCK]);
 
 #endif
