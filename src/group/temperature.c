@@ -1,6 +1,5 @@
 #include "group/temperature.h"
 
-#include "base/clones.h"
 #include "core/units.h"
 
 #include "base/banned.h"
@@ -11,15 +10,11 @@ struct motion {
 	int group;
 };
 
-TS_CLONES static void kinetic_tensors(const double *m, size_t n, double (*u)[TS_TERM_BLOCK],
-				      double (*term)[TS_TERM_BLOCK])
+/* Kinetic tensor and number. */
+static void kinetic_tensors(const struct tsim *sim, size_t from, size_t n, double (*u)[TS_TERM_BLOCK],
+			    double (*term)[TS_TERM_BLOCK])
 {
-	for (int k = 0; k < 6; k++) {
-		const double *a = u[ts_tensor_row[k]], *b = u[ts_tensor_column[k]];
-
-		for (size_t i = 0; i < n; i++)
-			term[k][i] = m[i] * a[i] * b[i];
-	}
+	ts_group_tensor_terms(sim->particles->mass + from, n, u, term);
 	for (size_t i = 0; i < n; i++)
 		term[6][i] = 1;
 }
@@ -37,7 +32,7 @@ static void tensors_in_flow(const struct tsim *sim, size_t from, size_t n, const
 		for (int d = 0; d < 3; d++)
 			u[d][i] = own[d];
 	}
-	kinetic_tensors(sim->particles->mass + from, n, u, term);
+	kinetic_tensors(sim, from, n, u, term);
 }
 
 void ts_temperature_tensor_in(const struct tsim *sim, int group, ts_peculiar_velocity *peculiar,
@@ -58,7 +53,7 @@ static void tensors_less_mean(const struct tsim *sim, size_t from, size_t n, con
 	for (size_t i = 0; i < n; i++)
 		for (int d = 0; d < 3; d++)
 			u[d][i] = v[i][d] - mean[d];
-	kinetic_tensors(sim->particles->mass + from, n, u, term);
+	kinetic_tensors(sim, from, n, u, term);
 }
 
 void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[3], double out[7])

@@ -130,3 +130,16 @@ double ts_group_mass(const struct tsim *sim, int group)
 	ts_group_sum(sim, group, 1, mass_term, NULL, &out);
 	return out;
 }
+
+TS_CLONES static void multiply(const double *m, size_t n, const double *a, const double *b, double *out)
+{
+	for (size_t i = 0; i < n; i++)
+		out[i] = m[i] * a[i] * b[i];
+}
+
+void ts_group_tensor_terms(const double *m, size_t n, double (*v)[TS_TERM_BLOCK],
+			   double (*term)[TS_TERM_BLOCK])
+{
+	for (int k = 0; k < 6; k++)
+		multiply(m, n, v[ts_tensor_row[k]], v[ts_tensor_column[k]], term[k]);
+}

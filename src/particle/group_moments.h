@@ -64,5 +64,8 @@ void ts_group_sum_blocks(const struct tsim *sim, int group, size_t width, ts_ter
 /* Components of symmetric tensors in the order xx, yy, zz, xy, xz, yz. */
 extern const int ts_tensor_row[6], ts_tensor_column[6];
 extern const char *const ts_tensor_names[];
+/* Terms m v_a v_b of n particles, in columns as above. */
+void ts_group_tensor_terms(const double *m, size_t n, double (*v)[TS_TERM_BLOCK],
+			   double (*term)[TS_TERM_BLOCK]);
 
 #endif

@@ -206,24 +206,13 @@ void ts_mass_inertia_terms(const struct tsim *sim, size_t from, size_t n, const 
 	add_shares(sim, from, n, 6, ts_rigid_share_inertia, term);
 }
 
-TS_CLONES static void second_moments(const double *m, size_t n, double (*d)[TS_TERM_BLOCK],
-				     double (*term)[TS_TERM_BLOCK])
-{
-	for (int k = 0; k < 6; k++) {
-		const double *a = d[ts_tensor_row[k]], *b = d[ts_tensor_column[k]];
-
-		for (size_t i = 0; i < n; i++)
-			term[k][i] = m[i] * a[i] * b[i];
-	}
-}
-
 void ts_mass_second_moment_terms(const struct tsim *sim, size_t from, size_t n, const void *centre,
 				 double (*term)[TS_TERM_BLOCK])
 {
 	double d[3][TS_TERM_BLOCK], own[6];
 
 	arms(sim, from, n, centre, d);
-	second_moments(sim->particles->mass + from, n, d, term);
+	ts_group_tensor_terms(sim->particles->mass + from, n, d, term);
 	for (size_t i = 0; i < n && sim->rigid->n; i++) {
 		ts_rigid_share_inertia(sim, from + i, own);
 		for (int k = 0; k < 6; k++)
